@@ -1,0 +1,68 @@
+#pragma once
+
+#include <raio/math/vec.hpp>
+
+namespace raio {
+
+/// An axis-aligned bounding box: all points with `min <= point <= max` in every coordinate. Without points when it is
+/// new.
+template <real T>
+struct aabb {
+    vec3<T> min{infinity<T>};
+    vec3<T> max{-infinity<T>};
+
+    RAIO_FN constexpr mask_t<T> contains(const vec3<T>& point) const {
+        return min.x <= point.x && point.x <= max.x && min.y <= point.y && point.y <= max.y && min.z <= point.z &&
+               point.z <= max.z;
+    }
+
+    /// Half of the surface area: what the surface area heuristic compares. Zero for a box without points.
+    RAIO_FN constexpr T half_area() const {
+        const vec3<T> size = max - min;
+        const T area = size.x * size.y + size.y * size.z + size.z * size.x;
+        return select(min.x <= max.x, area, T(0));
+    }
+};
+
+/// The smallest box that contains both.
+template <real T>
+RAIO_FN constexpr aabb<T> hull(const aabb<T>& a, const aabb<T>& b) {
+    return {{min(a.min.x, b.min.x), min(a.min.y, b.min.y), min(a.min.z, b.min.z)},
+            {max(a.max.x, b.max.x), max(a.max.y, b.max.y), max(a.max.z, b.max.z)}};
+}
+
+template <real T>
+RAIO_FN constexpr aabb<T> hull(const aabb<T>& box, const vec3<T>& point) {
+    return hull(box, aabb<T>{point, point});
+}
+
+/// `x` moved by at least one ulp in the direction of `towards`, and by at most two.
+template <real T>
+RAIO_FN constexpr T outward(const T& x, const T& towards) {
+    using S = scalar_t<T>;
+    return x + copysign(abs(x) * T(std::numeric_limits<S>::epsilon()) + T(std::numeric_limits<S>::min()), towards);
+}
+
+/// The box with every side moved outwards by an ulp or two, so that a point that was rounded onto it stays inside.
+template <real T>
+RAIO_FN constexpr aabb<T> padded(const aabb<T>& box) {
+    const T up(1), down(-1);
+    return {{outward(box.min.x, down), outward(box.min.y, down), outward(box.min.z, down)},
+            {outward(box.max.x, up), outward(box.max.y, up), outward(box.max.z, up)}};
+}
+
+/// How far a disc reaches along each axis: the radius times the sine of the angle between the axis and the normal.
+template <real T>
+RAIO_FN constexpr vec3<T> disc_reach(const vec3<T>& normal, const T& radius) {
+    const vec3<T> n2 = normal * normal;
+    const T over = radius / sqrt(n2.x + n2.y + n2.z);
+    return vec3<T>(sqrt(n2.y + n2.z), sqrt(n2.z + n2.x), sqrt(n2.x + n2.y)) * (over * T(1 + 8 * unit_roundoff<T>));
+}
+
+/// The everything box, of shapes without end.
+template <real T>
+RAIO_FN constexpr aabb<T> unbounded() {
+    return {vec3<T>(-infinity<T>), vec3<T>(infinity<T>)};
+}
+
+}  // namespace raio

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <ranges>
+#include <tuple>
+#include <utility>
+
+#include <raio/concepts.hpp>
+
+namespace raio {
+
+namespace detail {
+
+/// The primitive that a member of a group is, or that it is a range of.
+template <class Member>
+struct primitive_of {
+    using type = std::ranges::range_value_t<Member>;
+};
+template <primitive Member>
+struct primitive_of<Member> {
+    using type = Member;
+};
+
+}  // namespace detail
+
+/// What a group can hold: a primitive, or a range of primitives of one type.
+template <class Member>
+concept group_member = primitive<typename detail::primitive_of<Member>::type>;
+
+/// Several primitives of several types, tested one after the other. The nearest is hit, and of equally near ones the
+/// first.
+///
+///     raio::group scene{floor, spheres, triangles};   // a plane, a vector of spheres, a span of triangles
+///
+/// Each type stands in a range of its own, so that every loop is a plain loop over one type. `hit_record::index` counts
+/// through all members in the order in which they were given; a group that is itself a member counts as one.
+template <group_member First, group_member... Rest>
+struct group {
+    using number = number_t<typename detail::primitive_of<First>::type>;
+    using T = number;
+
+    std::tuple<First, Rest...> members;
+
+    RAIO_FN constexpr group() = default;
+    RAIO_FN constexpr explicit group(First first, Rest... rest) : members(std::move(first), std::move(rest)...) {}
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        mask_t<T> found = !(T(0) == T(0));
+        index_t<T> index{};
+        for_each([&](const auto& primitive) {
+            hit_record<T> candidate;
+            const mask_t<T> met = primitive.hit(ray, t_min, select(found, rec.t, t_max), candidate);
+            const mask_t<T> nearer = met && (!found || candidate.t < rec.t);
+            candidate.index = index;
+            if (any(nearer)) assign(nearer, rec, candidate);
+            found = found || nearer;
+            index = index + index_t<T>(1);
+            return true;
+        });
+        return found;
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        mask_t<T> found = !(T(0) == T(0));
+        for_each([&](const auto& primitive) {
+            found = found || primitive.occluded(ray, t_min, t_max);
+            return !all(found);
+        });
+        return found;
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const requires(bounded<typename detail::primitive_of<First>::type> &&
+                                                      (bounded<typename detail::primitive_of<Rest>::type> && ...)) {
+        aabb<T> box;
+        for_each([&](const auto& primitive) {
+            box = hull(box, primitive.bounds());
+            return true;
+        });
+        return box;
+    }
+
+private:
+    /// Calls `visit` with one primitive after the other, as long as it answers true.
+    template <class Visit>
+    RAIO_FN constexpr void for_each(Visit visit) const {
+        const auto visit_member = [&](const auto& member) {
+            if constexpr (primitive<std::remove_cvref_t<decltype(member)>>) {
+                return visit(member);
+            } else {
+                for (const auto& primitive : member) {
+                    if (!visit(primitive)) return false;
+                }
+                return true;
+            }
+        };
+        std::apply([&](const auto&... member) { (visit_member(member) && ...); }, members);
+    }
+};
+
+}  // namespace raio

@@ -1,0 +1,21 @@
+#pragma once
+
+/// \file
+/// The version of raio, and the one word that a header needs to be compiled for a graphics card.
+
+#define RAIO_VERSION_MAJOR 0
+#define RAIO_VERSION_MINOR 1
+#define RAIO_VERSION_PATCH 0
+
+/// Stands before every function: under CUDA it is compiled for the host and for the device, elsewhere it is nothing.
+#if defined(__CUDACC__)
+#define RAIO_FN __host__ __device__
+#else
+#define RAIO_FN
+#endif
+
+// The answers are exact because every operation is rounded as IEEE 754 says; -ffast-math takes that back without a
+// word.
+#if defined(__FAST_MATH__) && !defined(RAIO_ALLOW_FAST_MATH)
+#error "raio: -ffast-math breaks the exactness of every answer; compile without it, or define RAIO_ALLOW_FAST_MATH"
+#endif

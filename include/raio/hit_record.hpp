@@ -1,0 +1,48 @@
+#pragma once
+
+#include <raio/aabb.hpp>
+#include <raio/ray.hpp>
+
+namespace raio {
+
+/// Everything about the place where a ray met a shape.
+template <real T>
+struct hit_record {
+    T t{};                   ///< ray parameter, in lengths of the ray's direction
+    vec3<T> point{T(0)};     ///< where
+    vec3<T> normal{T(0)};    ///< unit, against the ray's direction: `dot(normal, direction) <= 0`
+    vec2<T> uv{T(0)};        ///< surface coordinates in [0, 1]^2, as the shape documents them
+    vec3<T> error{T(0)};     ///< how far `point` may be from the exact crossing, axis by axis
+    index_t<T> index{};      ///< which member of an aggregate was hit; 0 where there are no members
+    mask_t<T> front_face{};  ///< did the ray come from outside? The outward normal is `front_face ? normal : -normal`
+};
+
+/// Takes `from` over into `to`, in the lanes of the mask.
+template <real T>
+RAIO_FN constexpr void assign(mask_t<T> mask, hit_record<T>& to, const hit_record<T>& from) {
+    if (all(mask)) {
+        to = from;
+        return;
+    }
+    to.t = select(mask, from.t, to.t);
+    to.point = select(mask, from.point, to.point);
+    to.normal = select(mask, from.normal, to.normal);
+    to.uv = select(mask, from.uv, to.uv);
+    to.error = select(mask, from.error, to.error);
+    to.index = select(mask, from.index, to.index);
+    to.front_face = (mask && from.front_face) || (!mask && to.front_face);
+}
+
+/// A ray that leaves the surface at the recorded point and never meets that point again: its origin is moved to the
+/// side that `direction` goes to, along the normal, by just the error of the point (Pharr, Jakob and Humphreys, PBR 4th
+/// ed., 6.8.6).
+template <real T>
+RAIO_FN constexpr ray<T> spawn_ray(const hit_record<T>& rec, const vec3<T>& direction) {
+    const T side = copysign(T(1), dot(rec.normal, direction));
+    const vec3<T> n = rec.normal * side;
+    const T distance = dot(abs(n), rec.error);
+    const auto moved = [&](T p, T n_i) { return select(n_i == T(0), p, outward(p + n_i * distance, n_i)); };
+    return {{moved(rec.point.x, n.x), moved(rec.point.y, n.y), moved(rec.point.z, n.z)}, direction};
+}
+
+}  // namespace raio

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <raio/math/strict_double.hpp>
+
+/// \file
+/// A number of 106 bits: the unevaluated sum of two doubles, the low one at most half an ulp of the high one.
+///
+/// The two pieces come from error-free transformations: the rounding error of a sum (Knuth 1969) and of a product
+/// (Dekker 1971) are themselves doubles and can be computed. Sum, product and quotient are after Hida, Li and Bailey
+/// (2001), their relative error stays below 2^-100 of the operands' size.
+
+namespace raio {
+
+class double_double {
+public:
+    double_double() = default;
+    template <class N>
+    requires std::is_arithmetic_v<N> RAIO_FN constexpr double_double(N value)
+        : high_(static_cast<double>(value)), low_(0.0) {}
+    RAIO_FN constexpr double_double(strict_double value) : high_(static_cast<double>(value)), low_(0.0) {}
+
+    RAIO_FN constexpr explicit operator double() const { return high_; }
+    RAIO_FN constexpr explicit operator float() const { return static_cast<float>(high_); }
+    RAIO_FN constexpr explicit operator strict_double() const { return high_; }
+
+    RAIO_FN constexpr double_double operator-() const { return {-high_, -low_}; }
+
+    RAIO_FN friend constexpr double_double operator+(double_double a, double_double b) {
+        const double_double sum = exact_sum(a.high_, b.high_);
+        if (!raio::is_finite(sum.high_)) return sum.high_;  // its error would be a NaN
+        return renormalized(sum.high_, sum.low_ + (a.low_ + b.low_));
+    }
+    RAIO_FN friend constexpr double_double operator-(double_double a, double_double b) { return a + -b; }
+    RAIO_FN friend constexpr double_double operator*(double_double a, double_double b) {
+        const double_double product = exact_product(a.high_, b.high_);
+        const double cross_terms = detail::rounded_product(a.high_, b.low_) + detail::rounded_product(a.low_, b.high_);
+        return renormalized(product.high_, product.low_ + cross_terms);
+    }
+    RAIO_FN friend constexpr double_double operator/(double_double a, double_double b) {
+        const double quotient = a.high_ / b.high_;
+        if (!raio::is_finite(quotient)) return quotient;
+        const double_double remainder = a - b * double_double(quotient);
+        return renormalized(quotient, remainder.high_ / b.high_);
+    }
+    RAIO_FN constexpr double_double& operator+=(double_double b) { return *this = *this + b; }
+    RAIO_FN constexpr double_double& operator-=(double_double b) { return *this = *this - b; }
+    RAIO_FN constexpr double_double& operator*=(double_double b) { return *this = *this * b; }
+    RAIO_FN constexpr double_double& operator/=(double_double b) { return *this = *this / b; }
+
+    RAIO_FN friend constexpr bool operator==(double_double a, double_double b) {
+        return a.high_ == b.high_ && a.low_ == b.low_;
+    }
+    RAIO_FN friend constexpr bool operator<(double_double a, double_double b) {
+        return a.high_ < b.high_ || (a.high_ == b.high_ && a.low_ < b.low_);
+    }
+    RAIO_FN friend constexpr bool operator<=(double_double a, double_double b) {
+        return a.high_ < b.high_ || (a.high_ == b.high_ && a.low_ <= b.low_);
+    }
+    RAIO_FN friend constexpr bool operator>(double_double a, double_double b) { return b < a; }
+    RAIO_FN friend constexpr bool operator>=(double_double a, double_double b) { return b <= a; }
+
+    RAIO_FN friend constexpr double_double sqrt(double_double x) {
+        const double root = raio::sqrt(x.high_);
+        if (!(root > 0.0) || !raio::is_finite(root)) return root;
+        const double_double remainder = x - exact_product(root, root);  // one step of Newton's method
+        return renormalized(root, remainder.high_ / (root + root));
+    }
+    RAIO_FN friend constexpr double_double abs(double_double x) { return x.high_ < 0.0 ? -x : x; }
+    RAIO_FN friend constexpr double_double floor(double_double x) {
+        const double whole = raio::floor(x.high_);
+        return whole == x.high_ ? renormalized(whole, raio::floor(x.low_)) : double_double(whole);
+    }
+    RAIO_FN friend constexpr double_double copysign(double_double magnitude, double_double sign) {
+        return raio::copysign(1.0, magnitude.high_) == raio::copysign(1.0, sign.high_) ? magnitude : -magnitude;
+    }
+    /// To the precision of double only: angles are never needed in more.
+    RAIO_FN friend constexpr double_double atan2(double_double y, double_double x) {
+        return raio::atan2(y.high_, x.high_);
+    }
+
+private:
+    RAIO_FN constexpr double_double(double high, double low) : high_(high), low_(low) {}
+
+    /// a + b, without any error (Knuth, TAOCP 2, 4.2.2).
+    RAIO_FN static constexpr double_double exact_sum(double a, double b) {
+        const double sum = a + b;
+        const double b_seen = sum - a;
+        return {sum, (a - (sum - b_seen)) + (b - b_seen)};
+    }
+
+    /// The same where |a| >= |b| (Dekker 1971).
+    RAIO_FN static constexpr double_double renormalized(double a, double b) {
+        const double sum = a + b;
+        return {sum, b - (sum - a)};
+    }
+
+    /// a * b, without any error as long as nothing underflows: a fused multiply-add says the error, and where the
+    /// processor has none, Dekker's splitting (1971) finds the same bits in seventeen operations.
+    RAIO_FN static constexpr double_double exact_product(double a, double b) {
+        const double product = detail::rounded_product(a, b);
+#if defined(__FMA__) || defined(FP_FAST_FMA) || defined(__CUDA_ARCH__)
+        if (!std::is_constant_evaluated()) return {product, std::fma(a, b, -product)};
+#endif
+        const double_double x = split(a), y = split(b);
+        const double rest = detail::rounded_product(x.high_, y.high_) - product;
+        const double cross = detail::rounded_product(x.high_, y.low_);
+        const double cross2 = detail::rounded_product(x.low_, y.high_);
+        return {product, ((rest + cross) + cross2) + detail::rounded_product(x.low_, y.low_)};
+    }
+
+    /// a in two halves of 26 bits each.
+    RAIO_FN static constexpr double_double split(double a) {
+        const double scaled = detail::rounded_product(a, 134217729.0);  // 2^27 + 1
+        const double high = scaled - (scaled - a);
+        return {high, a - high};
+    }
+
+    double high_, low_;
+};
+
+}  // namespace raio
+
+template <>
+class std::numeric_limits<raio::double_double> : public std::numeric_limits<double> {
+public:
+    static constexpr int digits = 101;  // that our operations guarantee; there is room for 106
+    static constexpr double epsilon() { return 0x1p-100; }
+};

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <raio/math/vec.hpp>
+
+namespace raio {
+
+/// Three unit vectors, each perpendicular to the others, right-handed: cross(x, y) = z.
+template <real T>
+struct frame {
+    vec3<T> x, y, z;
+
+    /// The components of `v` along the three.
+    RAIO_FN constexpr vec3<T> to_local(const vec3<T>& v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
+    RAIO_FN constexpr vec3<T> to_world(const vec3<T>& v) const { return x * v.x + y * v.y + z * v.z; }
+};
+
+/// A frame about the unit vector `z`, without branches or roots, continuous but at z.z = 0 (Duff et al., JCGT 6(1),
+/// 2017).
+template <real T>
+RAIO_FN constexpr frame<T> frame_about(const vec3<T>& z) {
+    const T sign = copysign(T(1), z.z);
+    const T a = T(-1) / (sign + z.z);
+    const T b = z.x * z.y * a;
+    return {{T(1) + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
+}
+
+}  // namespace raio

@@ -1,0 +1,171 @@
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+#include <raio/config.hpp>
+
+/// \file
+/// What raio asks of a number. A shape is a template on its number type and on nothing else: `float`, `double`, a SIMD
+/// pack, a dual number and a multiprecision number all go through the same source.
+///
+/// A new number type brings arithmetic and comparison operators, `sqrt`, `abs`, `floor`, `copysign` and `atan2` that
+/// argument-dependent lookup finds, a `std::numeric_limits`, and, where the defaults do not fit, a `real_traits` of its
+/// own.
+
+namespace raio {
+
+class strict_double;
+class double_double;
+
+/// What a number type is made of. The primary template fits every type that behaves like one number.
+template <class T>
+struct real_traits {
+    using scalar = T;             ///< the number in one lane
+    using mask = bool;            ///< what a comparison answers
+    using index = std::uint32_t;  ///< what counts the members of an aggregate
+    using working = T;            ///< the precision that formulas are computed in
+    using quick = T;              ///< the precision in which they are tried first
+    using exact = T;              ///< the precision that settles what the first one left open
+};
+
+/// A product of two floats is exact in double: formulas are computed there and rounded to float once.
+template <>
+struct real_traits<float> {
+    using scalar = float;
+    using mask = bool;
+    using index = std::uint32_t;
+    using working = strict_double;
+    using quick = strict_double;
+    using exact = double_double;
+};
+
+/// Nothing in the hardware is wider than double: formulas are computed with two of them.
+template <>
+struct real_traits<double> {
+    using scalar = double;
+    using mask = bool;
+    using index = std::uint32_t;
+    using working = double_double;
+    using quick = strict_double;
+    using exact = double_double;
+};
+
+template <class T>
+using scalar_t = typename real_traits<T>::scalar;
+template <class T>
+using mask_t = typename real_traits<T>::mask;
+template <class T>
+using index_t = typename real_traits<T>::index;
+template <class T>
+using working_t = typename real_traits<T>::working;
+template <class T>
+using quick_t = typename real_traits<T>::quick;
+template <class T>
+using exact_t = typename real_traits<T>::exact;
+
+/// `if_true` where the mask is set, `if_false` elsewhere; a pack chooses lane by lane.
+template <std::same_as<bool> Mask, class T>
+RAIO_FN constexpr T select(Mask mask, T if_true, T if_false) {
+    return mask ? if_true : if_false;
+}
+
+/// Is any, is every, is no lane of the mask set? One number has one lane.
+RAIO_FN constexpr bool any(bool mask) { return mask; }
+RAIO_FN constexpr bool all(bool mask) { return mask; }
+RAIO_FN constexpr bool none(bool mask) { return !mask; }
+
+// The functions of <cmath> for the built-in numbers. Those of other number types are found by argument-dependent
+// lookup.
+template <std::floating_point T>
+RAIO_FN constexpr T sqrt(T x) {
+    return std::sqrt(x);
+}
+template <std::floating_point T>
+RAIO_FN constexpr T abs(T x) {
+    return std::fabs(x);
+}
+template <std::floating_point T>
+RAIO_FN constexpr T floor(T x) {
+    return std::floor(x);
+}
+template <std::floating_point T>
+RAIO_FN constexpr T sin(T x) {
+    return std::sin(x);
+}
+template <std::floating_point T>
+RAIO_FN constexpr T cos(T x) {
+    return std::cos(x);
+}
+template <std::floating_point T>
+RAIO_FN constexpr T copysign(T magnitude, T sign) {
+    return std::copysign(magnitude, sign);
+}
+template <std::floating_point T>
+RAIO_FN constexpr T atan2(T y, T x) {
+    return std::atan2(y, x);
+}
+
+/// A number type: one number or a pack of them.
+template <class T>
+concept real = requires(const T a, const T b, const mask_t<T> m) {
+    T(scalar_t<T>(0));
+    T(a + b);
+    T(a - b);
+    T(a * b);
+    T(a / b);
+    T(-a);
+    mask_t<T>(a < b);
+    mask_t<T>(a <= b);
+    mask_t<T>(a == b);
+    mask_t<T>(m && m);
+    mask_t<T>(m || m);
+    mask_t<T>(!m);
+    T(select(m, a, b));
+    bool(any(m));
+    bool(none(m));
+    T(sqrt(a));
+    T(abs(a));
+    T(copysign(a, b));
+    T(atan2(a, b));
+};
+
+template <real T>
+RAIO_FN constexpr T min(T a, T b) {
+    return select(b < a, b, a);
+}
+template <real T>
+RAIO_FN constexpr T max(T a, T b) {
+    return select(a < b, b, a);
+}
+
+template <class T>
+inline const T infinity = T(std::numeric_limits<scalar_t<T>>::infinity());
+template <class T>
+requires(std::is_trivially_copyable_v<T>) inline constexpr T infinity<T> =
+    T(std::numeric_limits<scalar_t<T>>::infinity());
+
+/// The largest relative error of one rounding: 2 to the minus number of digits, for every number type said in double.
+template <class T>
+inline constexpr double unit_roundoff = [] {
+    double u = 1.0;
+    for (int digit = 0; digit < std::numeric_limits<scalar_t<T>>::digits; ++digit) u /= 2.0;
+    return u;
+}();
+
+/// Is the number neither infinite nor NaN?
+template <real T>
+RAIO_FN constexpr mask_t<T> is_finite(const T& x) {
+    return x - x == T(scalar_t<T>(0));
+}
+
+/// a / b, and `otherwise` where b is zero.
+template <real T>
+RAIO_FN constexpr T quotient(const T& a, const T& b, const T& otherwise) {
+    const mask_t<T> zero = b == T(0);
+    return select(zero, otherwise, a / select(zero, T(1), b));
+}
+
+}  // namespace raio

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <raio/math/double_double.hpp>
+#include <raio/math/real.hpp>
+
+/// \file
+/// Vectors are GLM's. Only the functions that GLM reserves for the built-in numbers are written again, for every
+/// `real`.
+
+namespace raio {
+
+template <class T>
+using vec2 = glm::vec<2, T, glm::defaultp>;
+template <class T>
+using vec3 = glm::vec<3, T, glm::defaultp>;
+
+template <real T>
+RAIO_FN constexpr T dot(const vec3<T>& a, const vec3<T>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <real T>
+RAIO_FN constexpr vec3<T> cross(const vec3<T>& a, const vec3<T>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <real T>
+RAIO_FN constexpr vec3<T> abs(const vec3<T>& a) {
+    return {abs(a.x), abs(a.y), abs(a.z)};
+}
+
+/// The sum of the components' magnitudes: never below the length, never above 1.74 times it, and free of roots.
+template <real T>
+RAIO_FN constexpr T norm1(const vec3<T>& a) {
+    return abs(a.x) + abs(a.y) + abs(a.z);
+}
+
+template <real T>
+RAIO_FN constexpr T length(const vec3<T>& a) {
+    return sqrt(dot(a, a));
+}
+
+template <real T>
+RAIO_FN constexpr vec3<T> normalize(const vec3<T>& a) {
+    return a * (T(1) / length(a));
+}
+
+template <class Mask, class T>
+RAIO_FN constexpr vec3<T> select(Mask mask, const vec3<T>& a, const vec3<T>& b) {
+    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+template <class Mask, class T>
+RAIO_FN constexpr vec2<T> select(Mask mask, const vec2<T>& a, const vec2<T>& b) {
+    return {select(mask, a.x, b.x), select(mask, a.y, b.y)};
+}
+
+}  // namespace raio

@@ -1,0 +1,202 @@
+#pragma once
+
+#include <vector>
+
+#include <raio/concepts.hpp>
+#include <raio/math/frame.hpp>
+#include <raio/plane_crossing.hpp>
+
+namespace raio {
+
+/// The points p with normal.p + offset <= 0: everything behind a plane.
+template <real T>
+struct half_space {
+    vec3<T> normal;  ///< outward, any length
+    T offset;        ///< minus the normal times any point of the plane
+};
+
+/// The points behind all of its planes. Any number of planes, in any order; redundant ones do no harm, contradictory
+/// ones leave nothing, and too few leave a solid without end.
+///
+/// A line enters through the planes whose normals are against it and leaves through the others. It is inside from the
+/// last plane entered to the first plane left, if these come in that order (Cyrus and Beck 1978; Haines, Graphics Gems
+/// II, 1991).
+///
+/// The planes stand in any contiguous range: a vector that the polyhedron owns, an array, or a span of somebody else's.
+/// Faces are counted as the planes are. uv: the two coordinates of the point in the plane of the face, without their
+/// whole parts.
+template <real T, class Planes = std::vector<half_space<T>>>
+struct convex_polyhedron {
+    using number = T;
+
+    Planes planes;
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return first_crossing(*this, ray, t_min, t_max).exists;
+    }
+
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    /// The box around all edges; the cost grows with the cube of the number of planes. A polyhedron without any vertex,
+    /// which has no end, is bounded by everything.
+    RAIO_FN constexpr aabb<T> bounds() const {
+        aabb<T> box;
+        bool has_vertex = false;
+        for (std::size_t i = 0; i < std::size(planes); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                const auto [point, direction, s] = edge(i, j);
+                if (s.empty()) continue;
+                for (const auto& end : {s.min, s.max}) {
+                    const bool finite = is_finite(end);
+                    has_vertex = has_vertex || finite;
+                    box = hull(box, finite ? vec3<T>(point + direction * end) : horizon(point, direction, end));
+                }
+            }
+        }
+        return has_vertex ? padded(box) : unbounded<T>();
+    }
+
+    /// Infinite for a polyhedron without end.
+    RAIO_FN constexpr T area() const {
+        exact_t<T> total(0);
+        for (std::size_t i = 0; i < std::size(planes); ++i) {
+            if (!repeats_an_earlier_plane(i)) total += face_area(i);
+        }
+        return T(total);
+    }
+
+    template <class W>
+    RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
+        const vec3<W> origin(ray.origin), direction(ray.direction);
+        chord<W> c = everywhere<W>();
+        index_t<W> face{};
+        for (const half_space<T>& plane : planes) {
+            c = intersect(c, behind(plane, origin, direction, face));
+            if (all(c.near.certain && !c.near.exists)) break;
+            face = face + index_t<W>(1);
+        }
+        return c;
+    }
+
+    template <class W>
+    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
+        const vec3<T> outward(normalize(vec3<quick_t<T>>(planes[c.face].normal)));
+        record_point(ray, c, rec);
+        rec.normal = outward * select(c.entering, T(1), T(-1));
+        const vec3<T> local = frame_about(outward).to_local(rec.point);
+        rec.uv = {local.x - floor(local.x), local.y - floor(local.y)};
+    }
+
+private:
+    using exact = exact_t<T>;
+
+    /// The line in which two planes meet, and the part of it that belongs to the polyhedron.
+    struct edge_line {
+        vec3<exact> point, direction;
+        interval<exact> s;
+    };
+
+    RAIO_FN constexpr edge_line edge(std::size_t i, std::size_t j) const {
+        const exact none(0), tiny(1024 * unit_roundoff<exact>);
+        const vec3<exact> a(planes[i].normal), b(planes[j].normal), direction = cross(a, b);
+        const exact length2 = dot(direction, direction);
+        if (!(length2 > tiny * dot(a, a) * dot(b, b))) return {direction, direction, {}};  // parallel planes
+
+        const vec3<exact> point =
+            (cross(direction, b) * exact(planes[i].offset) - cross(direction, a) * exact(planes[j].offset)) / length2;
+        interval<exact> s{-infinity<exact>, infinity<exact>};
+        for (std::size_t k = 0; k < std::size(planes); ++k) {
+            if (k == i || k == j) continue;
+            const vec3<exact> n(planes[k].normal);
+            const exact height = dot(n, point) + exact(planes[k].offset), speed = dot(n, direction);
+            const exact slack = tiny * (dot(abs(n), abs(point)) + abs(exact(planes[k].offset)));
+            if (abs(speed) <= tiny * dot(abs(n), abs(direction))) {
+                if (height > slack) return {point, direction, {}};
+            } else if (speed > none) {
+                s.max = min(s.max, (slack - height) / speed);
+            } else {
+                s.min = max(s.min, (slack - height) / speed);
+            }
+        }
+        return {point, direction, s};
+    }
+
+    /// The end of a line without end: infinite along the axes in which it proceeds.
+    RAIO_FN static constexpr vec3<T> horizon(const vec3<exact>& point, const vec3<exact>& direction, const exact& end) {
+        vec3<T> far(point);
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            if (direction[axis] != exact(0))
+                far[axis] = T(copysign(infinity<exact>, direction[axis] * copysign(exact(1), end)));
+        }
+        return far;
+    }
+
+    /// Is the same plane, with the same side, among those before plane i?
+    RAIO_FN constexpr bool repeats_an_earlier_plane(std::size_t i) const {
+        const vec3<exact> n(planes[i].normal);
+        for (std::size_t k = 0; k < i; ++k) {
+            const vec3<exact> m(planes[k].normal);
+            const vec3<exact> turn = cross(n, m), apart = n * exact(planes[k].offset) - m * exact(planes[i].offset);
+            if (dot(turn, turn) == exact(0) && dot(apart, apart) == exact(0) && dot(n, m) > exact(0)) return true;
+        }
+        return false;
+    }
+
+    RAIO_FN constexpr bool touches(std::size_t k, const vec3<exact>& p) const {
+        const vec3<exact> n(planes[k].normal);
+        const exact offset(planes[k].offset), slack(0x1p20 * unit_roundoff<exact>);
+        return abs(dot(n, p) + offset) <= slack * (dot(abs(n), abs(p)) + abs(offset));
+    }
+
+    /// The triangles between the edges of face i and the first corner that is met.
+    RAIO_FN constexpr exact face_area(std::size_t i) const {
+        exact sum(0);
+        bool started = false;
+        vec3<exact> corner(exact(0));
+        for (std::size_t j = 0; j < std::size(planes); ++j) {
+            if (j == i) continue;
+            const auto [point, direction, s] = edge(i, j);
+            if (s.empty()) continue;
+            if (!is_finite(s.min) || !is_finite(s.max)) return infinity<exact>;
+            const vec3<exact> from = point + direction * s.min, to = point + direction * s.max;
+            bool seen = false;  // an edge that more than two planes go through counts once
+            for (std::size_t k = 0; k < j; ++k) seen = seen || (k != i && touches(k, from) && touches(k, to));
+            if (seen) continue;
+            if (!started) corner = from;
+            started = true;
+            const vec3<exact> twice_area = cross(from - corner, to - corner);
+            sum += sqrt(dot(twice_area, twice_area)) / exact(2);
+        }
+        return sum;
+    }
+
+    /// The part of a line that is behind one plane: from its crossing on, up to it, or all or nothing if it runs
+    /// parallel.
+    template <class W>
+    RAIO_FN static constexpr chord<W> behind(const half_space<T>& plane, const vec3<W>& origin,
+                                             const vec3<W>& direction, index_t<W> face) {
+        const vec3<W> n(plane.normal);
+        const W height = dot(n, origin) + W(plane.offset);
+        const W height_error = W(5 * unit_roundoff<W>) * (dot(abs(n), abs(origin)) + abs(W(plane.offset)));
+        crossing<W> c = cross_plane(n, direction, height, height_error);
+        c.face = face;
+
+        const mask_t<W> parallel = !c.exists;
+        c.exists = !parallel || height <= W(0);
+        c.certain = c.certain && (!parallel || abs(height) > height_error || height_error == W(0));
+        chord<W> inside{c, c};
+        inside.near.t = select(parallel || !c.entering, -infinity<W>, c.t);
+        inside.near.error = select(parallel || !c.entering, W(0), c.error);
+        inside.far.t = select(parallel || c.entering, infinity<W>, c.t);
+        inside.far.error = select(parallel || c.entering, W(0), c.error);
+        inside.near.entering = W(0) == W(0);
+        inside.far.entering = !inside.near.entering;
+        return inside;
+    }
+};
+
+}  // namespace raio

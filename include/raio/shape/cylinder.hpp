@@ -1,0 +1,191 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/math/angle.hpp>
+#include <raio/math/frame.hpp>
+#include <raio/plane_crossing.hpp>
+#include <raio/surface_sample.hpp>
+
+/// \file
+/// Both cylinders: with its caps it is a solid, without them a tube.
+///
+/// With the axis A = top - base and l = base - origin, the distance of the point at t from the axis is |(t d - l) x A|
+/// / |A|. It is the radius at
+///
+///     t = (b -+ s) / a,   n = d x A,  a = n.n,  b = (l x A).n,   s^2 = A.A (a radius^2 - (A.(l x d))^2)
+///
+/// |A.(l x d)| / |n| is the distance at which the two lines pass each other: like the sphere's, the discriminant is
+/// free of differences of large squares. A line parallel to the axis, n = 0, is inside everywhere or nowhere.
+///
+/// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
+/// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
+/// the axis over the radius.
+
+namespace raio {
+
+namespace detail {
+
+/// The chord through the endless cylinder.
+template <class W, real T>
+RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec3<T>& top, T radius,
+                                                  const ray<T>& ray) {
+    const vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base), l = vec3<W>(base) - vec3<W>(ray.origin);
+    const vec3<W> n = cross(d, axis), m = cross(l, axis);
+    const W r(radius), a = dot(n, n), b = dot(m, n), axis2 = dot(axis, axis), d2 = dot(d, d), l2 = dot(l, l), zero(0);
+    const W passed = dot(axis, cross(l, d)), ar2 = a * r * r, passed2 = passed * passed, s2 = ar2 - passed2;
+
+    // The errors, with u the unit roundoff: |n| is off by 8 u |d| |A| at most, `passed` by 16 u |A| |l| |d|. If the
+    // angle between the lines is above 2 degrees (the sine's square above 2^-10) and the chord above a 32nd of the
+    // diameter (s2 > 2^-10 ar2), they grow to less than 2^20 u (|l| + r) / |d| in t. A miss by more than the errors is
+    // decided at any angle.
+    constexpr double u = unit_roundoff<W>;
+    const mask_t<W> missed = -s2 > W(0x1p-8) * passed2 + d2 * axis2 * (W(0x1p18 * u * u) * l2 + W(0x1p6 * u) * r * r);
+    const mask_t<W> certain = missed || (s2 > W(0x1p-10) * ar2 && a > W(0x1p-10) * d2 * axis2);
+    const mask_t<W> sound = radius > T(0) && axis2 > zero && d2 > zero, parallel = a == zero;
+    const mask_t<W> exists = sound && select(parallel, dot(m, m) <= r * r * axis2, s2 >= zero);
+
+    const W s = sqrt(axis2 * max(s2, zero)), over_a = quotient(W(1), a, zero);
+    const W error = select(parallel, zero, W(0x1p21 * u) * quotient(norm1(l) + r, norm1(d), zero));
+    return {{exists, certain, select(parallel, -infinity<W>, (b - s) * over_a), error, exists},
+            {exists, certain, select(parallel, infinity<W>, (b + s) * over_a), error, !exists}};
+}
+
+/// The chord through the slab between the two planes that the caps lie in.
+template <class W, real T>
+RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<T>& ray) {
+    const vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base);
+    const auto above_base = height_above<W>(axis, base, ray.origin), above_top = height_above<W>(axis, top, ray.origin);
+    crossing<W> low = cross_plane(axis, d, above_base.value, above_base.error);
+    crossing<W> high = cross_plane(axis, d, above_top.value, above_top.error);
+    low.face = index_t<W>(1);
+    high.face = index_t<W>(2);
+
+    const mask_t<W> upward = high.entering == low.entering && !low.entering, parallel = !low.exists;
+    chord<W> c{select(upward, low, high), select(upward, high, low)};
+    const mask_t<W> yes = W(0) == W(0);
+    const mask_t<W> between = above_base.value >= W(0) && above_top.value <= W(0);
+    c.near.exists = c.far.exists = !parallel || between;
+    c.near.t = select(parallel, -infinity<W>, c.near.t);
+    c.far.t = select(parallel, infinity<W>, c.far.t);
+    c.near.entering = yes;
+    c.far.entering = !yes;
+    return c;
+}
+
+/// What both cylinders record: the normal and uv of the face that was hit.
+template <class W, real T>
+RAIO_FN constexpr void cylinder_surface(const vec3<T>& base, const vec3<T>& top, T radius, const ray<T>& ray,
+                                        const crossing<W>& c, hit_record<T>& rec) {
+    using Q = quick_t<T>;
+    const vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+    const vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;
+    const W axis2 = dot(axis, axis), along = dot(from_base, axis);
+    const vec3<Q> up = normalize(vec3<Q>(axis)), from_axis(from_base - axis * (along / axis2));
+    const Q distance = length(from_axis), zero(0);
+    const mask_t<T> side = c.face == index_t<T>(0);
+    const vec3<Q> sideways = from_axis * quotient(Q(1), distance, zero);
+    const vec3<Q> outward = select(side, sideways, up * select(c.face == index_t<T>(1), Q(-1), Q(1)));
+
+    record_point(ray, c, rec);
+    rec.normal = vec3<T>(outward * select(c.entering, Q(1), Q(-1)));
+    const frame<Q> f = frame_about(up);
+    const T height = T(along / axis2), rho = T(distance) / radius;
+    rec.uv = {turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))), max(T(0), min(T(1), select(side, height, rho)))};
+}
+
+template <real T>
+RAIO_FN constexpr aabb<T> cylinder_bounds(const vec3<T>& base, const vec3<T>& top, T radius) {
+    const vec3<T> reach = disc_reach(top - base, radius);
+    return padded(hull(aabb<T>{base - reach, base + reach}, aabb<T>{top - reach, top + reach}));
+}
+
+}  // namespace detail
+
+/// The points at most `radius` from the segment between the centres of the caps, and between the caps: closed, a solid.
+template <real T>
+struct cylinder {
+    using number = T;
+
+    vec3<T> base, top;  ///< the centres of the two caps
+    T radius;           ///< a length; the cylinder is missed unless it is positive and base and top differ
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return first_crossing(*this, ray, t_min, t_max).exists;
+    }
+
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::cylinder_bounds(base, top, radius); }
+
+    RAIO_FN constexpr T area() const { return T(2 * pi<T>) * radius * (length(top - base) + radius); }
+
+    template <class W>
+    RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
+        return intersect(detail::cross_endless_cylinder<W>(base, top, radius, ray),
+                         detail::cross_cap_planes<W>(base, top, ray));
+    }
+
+    template <class W>
+    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
+        detail::cylinder_surface(base, top, radius, ray, c, rec);
+    }
+};
+
+/// The points at distance `radius` from the segment, between the two planes across its ends: a tube, seen from both
+/// sides.
+template <real T>
+struct open_cylinder {
+    using number = T;
+
+    vec3<T> base, top;  ///< the centres of the two rims, which belong to the tube
+    T radius;           ///< a length; the tube is missed unless it is positive and base and top differ
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return first_crossing(*this, ray, t_min, t_max).exists;
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::cylinder_bounds(base, top, radius); }
+
+    RAIO_FN constexpr T area() const { return T(2 * pi<T>) * radius * length(top - base); }
+
+    /// Unrolled the tube is a rectangle: `u` is its uv.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        const vec3<T> axis = top - base;
+        const frame<T> f = frame_about(normalize(axis));
+        const T phi = T(2 * pi<T>) * u.x;
+        const vec3<T> normal = f.x * cos(phi) + f.y * sin(phi);
+        return {base + axis * u.y + normal * radius, normal};
+    }
+
+    /// Either crossing counts on its own, if it lies between the two planes.
+    template <class W>
+    RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
+        const chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
+        const auto within = [&](crossing<W> c) {
+            const W before = c.t - slab.near.t, after = slab.far.t - c.t;
+            const W before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
+            const mask_t<W> off = before < -before_error || after < -after_error || !slab.near.exists;
+            c.certain =
+                c.certain && slab.near.certain && (off || !c.exists || (before > before_error && after > after_error));
+            c.exists = c.exists && slab.near.exists && before >= W(0) && after >= W(0);
+            return c;
+        };
+        const chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);
+        return {within(endless.near), within(endless.far)};
+    }
+
+    template <class W>
+    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
+        detail::cylinder_surface(base, top, radius, ray, c, rec);
+    }
+};
+
+}  // namespace raio

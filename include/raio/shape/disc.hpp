@@ -1,0 +1,73 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/math/angle.hpp>
+#include <raio/math/frame.hpp>
+#include <raio/plane_crossing.hpp>
+#include <raio/surface_sample.hpp>
+
+namespace raio {
+
+/// The points of a plane at most `radius` from `center`: where the ray meets the plane, the squared distance decides.
+///
+/// uv: u is the angle about the normal, from the x axis of `frame_about(normal)`; v the distance from the centre over
+/// the radius.
+template <real T>
+struct disc {
+    using number = T;
+
+    vec3<T> center;
+    vec3<T> normal;  ///< any length but zero
+    T radius;        ///< a length; the disc is missed unless it is positive
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return first_crossing(*this, ray, t_min, t_max).exists;
+    }
+
+    /// Along each axis the disc reaches as far as the radius times the sine of the angle between axis and normal.
+    RAIO_FN constexpr aabb<T> bounds() const {
+        const vec3<T> reach = disc_reach(normal, radius);
+        return padded(aabb<T>{center - reach, center + reach});
+    }
+
+    RAIO_FN constexpr T area() const { return T(pi<T>) * radius * radius; }
+
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        const T rho = radius * sqrt(u.y), phi = T(2 * pi<T>) * u.x;
+        const frame<T> f = frame_about(normalize(normal));
+        return {center + f.to_world({rho * cos(phi), rho * sin(phi), T(0)}), f.z};
+    }
+
+    template <class W>
+    RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
+        constexpr double u = unit_roundoff<W>;
+        const W r(radius);
+        const vec3<W> n(normal), d(ray.direction), l = vec3<W>(ray.origin) - vec3<W>(center);
+        const auto height = height_above<W>(n, center, ray.origin);
+        crossing<W> c = cross_plane(n, d, height.value, height.error);
+
+        const vec3<W> step = d * c.t, from_center = l + step;
+        const W r2 = r * r, distance2 = dot(from_center, from_center);
+        const W off = norm1(d) * c.error + W(3 * u) * (norm1(l) + norm1(step));
+        const W slack = off * (W(2) * norm1(from_center) + off) + W(4 * u) * (r2 + distance2);
+        const mask_t<W> beyond = distance2 - r2 > slack;
+        c.exists = c.exists && distance2 <= r2 && radius > T(0);
+        c.certain = c.certain && (beyond || r2 - distance2 > slack);
+        return c;
+    }
+
+    template <class W>
+    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
+        const vec3<T> outward(normalize(vec3<quick_t<T>>(normal)));
+        record_point(ray, c, rec);
+        rec.normal = outward * select(c.entering, T(1), T(-1));
+        const vec3<T> local = frame_about(outward).to_local(rec.point - center);
+        rec.uv = {turns(local.y, local.x), min(T(1), sqrt(local.x * local.x + local.y * local.y) / radius)};
+    }
+};
+
+}  // namespace raio

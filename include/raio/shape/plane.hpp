@@ -1,0 +1,51 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/math/frame.hpp>
+#include <raio/plane_crossing.hpp>
+
+namespace raio {
+
+/// All points p with normal.(p - point) = 0, without end. A ray meets it at
+///
+///     t = normal.(point - origin) / normal.direction
+///
+/// and misses it when it runs parallel, inside the plane or outside. The side that the normal points to is the front.
+///
+/// uv: the two coordinates of the point in the plane, seen from `point`, without their whole parts: a pattern of unit
+/// squares.
+template <real T>
+struct plane {
+    using number = T;
+
+    vec3<T> point;   ///< any point of the plane
+    vec3<T> normal;  ///< any length but zero
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return first_crossing(*this, ray, t_min, t_max).exists;
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return unbounded<T>(); }
+
+    template <class W>
+    RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
+        const vec3<W> n(normal);
+        const auto height = height_above<W>(n, point, ray.origin);
+        return cross_plane(n, vec3<W>(ray.direction), height.value, height.error);
+    }
+
+    template <class W>
+    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
+        const vec3<T> outward(normalize(vec3<quick_t<T>>(normal)));
+        record_point(ray, c, rec);
+        rec.normal = outward * select(c.entering, T(1), T(-1));
+        const vec3<T> local = frame_about(outward).to_local(rec.point - point);
+        rec.uv = {local.x - floor(local.x), local.y - floor(local.y)};
+    }
+};
+
+}  // namespace raio

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <raio/shape/triangle.hpp>
+
+namespace raio {
+
+/// The triangle of a mesh: one question per edge, asked with the edge's two corners only, so that the two triangles at
+/// an edge hear the same answer in any precision, and no ray slips between them.
+///
+/// Woop, Benthin and Wald, JCGT 2(1), 2013: the corners are moved so that the ray starts at the origin, and sheared so
+/// that it runs along its largest axis z. In the xy plane the ray is then a point, and the edge functions
+///
+///     u = cx by - cy bx,   v = ax cy - ay cx,   w = bx ay - by ax
+///
+/// say on which side of each edge it lies. The ray hits where none of the three differs in sign from the others.
+///
+/// Same corners, front and uv as `triangle`, which is exact as well, but for whose packs neighbours may disagree.
+template <real T>
+struct watertight_triangle {
+    using number = T;
+
+    vec3<T> a, b, c;
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return first_crossing(*this, ray, t_min, t_max).exists;
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return as_triangle().bounds(); }
+    RAIO_FN constexpr T area() const { return as_triangle().area(); }
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_triangle().sample(u); }
+
+    template <class W>
+    RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
+        const auto turned = [&](const vec3<T>& v) {
+            // A rotation of the coordinates that makes the largest component of the direction the last one.
+            const T x = abs(ray.direction.x), y = abs(ray.direction.y), z = abs(ray.direction.z);
+            const mask_t<T> last_is_x = x > y && x > z, last_is_y = !last_is_x && y > z;
+            return vec3<W>(W(select(last_is_x, v.y, select(last_is_y, v.z, v.x))),
+                           W(select(last_is_x, v.z, select(last_is_y, v.x, v.y))),
+                           W(select(last_is_x, v.x, select(last_is_y, v.y, v.z))));
+        };
+        const W zero(0);
+        const vec3<W> direction = turned(ray.direction), origin = turned(ray.origin);
+        const W over_z = quotient(W(1), direction.z, zero), shear_x = direction.x * over_z,
+                shear_y = direction.y * over_z;
+        const auto sheared = [&](const vec3<T>& corner) {
+            const vec3<W> from_origin = turned(corner) - origin;
+            return vec3<W>(from_origin.x - shear_x * from_origin.z, from_origin.y - shear_y * from_origin.z,
+                           from_origin.z);
+        };
+        const vec3<W> p = sheared(a), q = sheared(b), r = sheared(c);
+        const W u = r.x * q.y - r.y * q.x, v = p.x * r.y - p.y * r.x, w = q.x * p.y - q.y * p.x, det = u + v + w;
+
+        // A sheared corner is off by 5 roundings of its distance from the origin at most, an edge function by twelve of
+        // the product of two such distances.
+        const W k = W(12 * unit_roundoff<W>), np = norm1(p) + norm1(p), nq = norm1(q) + norm1(q),
+                nr = norm1(r) + norm1(r);
+        const W u_error = k * nr * nq, v_error = k * np * nr, w_error = k * nq * np,
+                det_error = u_error + v_error + w_error;
+        const mask_t<W> inside = (u >= zero && v >= zero && w >= zero) || (u <= zero && v <= zero && w <= zero);
+        const mask_t<W> decided = abs(u) > u_error && abs(v) > v_error && abs(w) > w_error;
+
+        const W over_det = quotient(W(1), det, zero), height = u * p.z + v * q.z + w * r.z,
+                t = height * over_det * over_z;
+        const W height_error = W(2) * (u_error * abs(p.z) + v_error * abs(q.z) + w_error * abs(r.z));
+        const W error = W(2) * (height_error * abs(over_z) + abs(t) * det_error) * abs(over_det) + k * abs(t);
+        return {.exists = inside && (det < zero || det > zero) && is_finite(direction.z) && abs(direction.z) > zero,
+                .certain = decided && (!inside || abs(det) > W(2) * det_error),
+                .t = t,
+                .error = error,
+                .entering = (det > zero) == (direction.z > zero)};
+    }
+
+    template <class W>
+    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& at, hit_record<T>& rec) const {
+        as_triangle().surface(ray, at, rec);
+    }
+
+private:
+    RAIO_FN constexpr triangle<T> as_triangle() const { return {a, b, c}; }
+};
+
+}  // namespace raio

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <raio/math/vec.hpp>
+
+namespace raio {
+
+/// A point that was chosen on a surface, every piece of the area as likely as any other of the same size.
+template <real T>
+struct surface_sample {
+    vec3<T> point;
+    vec3<T> normal;  ///< unit, outward
+};
+
+}  // namespace raio
