@@ -18,7 +18,7 @@ struct aabb {
 
     /// Half of the surface area: what the surface area heuristic compares. Zero for a box without points.
     RAIO_FN constexpr T half_area() const {
-        const vec3<T> size = max - min;
+        vec3<T> size = max - min;
         const T area = size.x * size.y + size.y * size.z + size.z * size.x;
         return select(min.x <= max.x, area, T(0));
     }
@@ -54,7 +54,7 @@ RAIO_FN constexpr aabb<T> padded(const aabb<T>& box) {
 /// How far a disc reaches along each axis: the radius times the sine of the angle between the axis and the normal.
 template <real T>
 RAIO_FN constexpr vec3<T> disc_reach(const vec3<T>& normal, const T& radius) {
-    const vec3<T> n2 = normal * normal;
+    vec3<T> n2 = normal * normal;
     const T over = radius / sqrt(n2.x + n2.y + n2.z);
     return vec3<T>(sqrt(n2.y + n2.z), sqrt(n2.z + n2.x), sqrt(n2.x + n2.y)) * (over * T(1 + 8 * unit_roundoff<T>));
 }

@@ -59,12 +59,12 @@ template <real W>
 RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     chord<W> both{select(a.near.t < b.near.t, b.near, a.near), select(b.far.t < a.far.t, b.far, a.far)};
     // If the other crossing may really lie beyond the one that was chosen, the error reaches that far.
-    const W other_near = select(a.near.t < b.near.t, a.near.t + a.near.error, b.near.t + b.near.error);
-    const W other_far = select(b.far.t < a.far.t, a.far.t - a.far.error, b.far.t - b.far.error);
+    W other_near = select(a.near.t < b.near.t, a.near.t + a.near.error, b.near.t + b.near.error);
+    W other_far = select(b.far.t < a.far.t, a.far.t - a.far.error, b.far.t - b.far.error);
     both.near.error = max(both.near.error, other_near - both.near.t);
     both.far.error = max(both.far.error, both.far.t - other_far);
 
-    const W gap = both.far.t - both.near.t, slack = both.near.error + both.far.error;
+    W gap = both.far.t - both.near.t, slack = both.near.error + both.far.error;
     const mask_t<W> exists = a.near.exists && b.near.exists && gap >= W(0);
     const mask_t<W> certain = (a.near.certain && !a.near.exists) || (b.near.certain && !b.near.exists) ||
                               (a.near.certain && b.near.certain && abs(gap) > slack);
@@ -90,7 +90,7 @@ RAIO_FN constexpr crossing<W> first_in_window(crossing<W> c, T t_min, T t_max) {
 }
 template <real T, class W>
 RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_max) {
-    const crossing<W> near = first_in_window(c.near, t_min, t_max);
+    crossing<W> near = first_in_window(c.near, t_min, t_max);
     return select(near.exists, near, first_in_window(c.far, t_min, t_max));
 }
 
@@ -113,60 +113,67 @@ RAIO_FN constexpr crossing<W> settled_in_window(const chord<W>& c, T t_min, T t_
     return first;
 }
 
-/// Kept out of line: where it is rare, it must not cost the common case its registers.
-template <real T, class Shape>
-[[gnu::noinline]] RAIO_FN constexpr crossing<working_t<T>> exact_first_crossing(const Shape& shape, const ray<T>& ray,
-                                                                                T t_min, T t_max) {
-    return static_cast<crossing<working_t<T>>>(
-        first_in_window(shape.template crossings<exact_t<T>>(ray), t_min, t_max));
+/// Out of line: where this is rare, it must not cost the common case its registers.
+template <real T, class Shape, class Then>
+[[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_exactly(const Shape& shape, const ray<T>& ray, T t_min, T t_max,
+                                                             Then then) {
+    return then(first_in_window(shape.template crossings<exact_t<T>>(ray), t_min, t_max));
+}
+
+/// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
+template <real T, class Shape, class Then>
+RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<T>& ray, T t_min, T t_max, Then then) {
+    if constexpr (!std::same_as<quick_t<T>, exact_t<T>>) {
+        auto quick = settled_in_window(shape.template crossings<quick_t<T>>(ray), t_min, t_max);
+        if (quick.certain) [[likely]]
+            return then(quick);
+    }
+    return settle_exactly(shape, ray, t_min, t_max, then);
 }
 
 }  // namespace detail
 
-/// The first place in the closed interval [t_min, t_max] where `shape` is crossed, in the working precision of T;
-/// `exists` says whether there is one. The shape's `crossings<W>(ray)` returns a crossing or a chord.
+/// `occluded` of every shape that has `crossings<W>(ray)`, a crossing or a chord: is there one with t in [t_min,
+/// t_max]?
 template <real T, class Shape>
-RAIO_FN constexpr crossing<working_t<T>> first_crossing(const Shape& shape, const ray<T>& ray, T t_min, T t_max) {
-    if constexpr (!std::same_as<quick_t<T>, exact_t<T>>) {
-        const auto quick = detail::settled_in_window(shape.template crossings<quick_t<T>>(ray), t_min, t_max);
-        if (quick.certain) [[likely]]
-            return static_cast<crossing<working_t<T>>>(quick);
-    }
-    return detail::exact_first_crossing(shape, ray, t_min, t_max);
+RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const ray<T>& ray, T t_min, T t_max) {
+    return detail::settle(shape, ray, t_min, t_max, [](const auto& crossing) { return crossing.exists; });
 }
 
-/// `hit` of every shape: the first crossing, then the surface there.
+/// `hit` of every shape that has also `surface(ray, crossing, rec)`: the same crossing, and what to record of it.
 template <real T, class Shape>
 RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) {
-    const crossing<working_t<T>> c = first_crossing(shape, ray, t_min, t_max);
-    if (none(c.exists)) return c.exists;
-    if constexpr (std::same_as<mask_t<T>, bool>) {
-        shape.surface(ray, c, rec);
-    } else {
-        hit_record<T> candidate;
-        shape.surface(ray, c, candidate);
-        assign(c.exists, rec, candidate);
-    }
-    return c.exists;
+    return detail::settle(shape, ray, t_min, t_max, [&](const auto& crossing) {
+        if constexpr (std::same_as<mask_t<T>, bool>) {
+            if (crossing.exists) shape.surface(ray, crossing, rec);
+        } else if (any(crossing.exists)) {
+            hit_record<T> candidate;
+            shape.surface(ray, crossing, candidate);
+            assign(crossing.exists, rec, candidate);
+        }
+        return crossing.exists;
+    });
 }
 
 /// Where the line is inside a convex solid; empty where it misses.
 template <real T, class Shape>
 RAIO_FN constexpr interval<T> inside_of(const Shape& shape, const ray<T>& ray) {
-    const chord<exact_t<T>> c = shape.template crossings<exact_t<T>>(ray);
+    chord<exact_t<T>> c = shape.template crossings<exact_t<T>>(ray);
     return {select(c.near.exists, T(c.near.t), infinity<T>), select(c.far.exists, T(c.far.t), -infinity<T>)};
 }
 
 /// Records what every surface records alike: t, the point, how far that may be off, and the side.
 template <real T, class W>
 RAIO_FN constexpr void record_point(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) {
-    const vec3<W> origin(ray.origin), direction(ray.direction), step = direction * c.t;
-    // Three errors add up: that of t, that of the sum below in W, and the rounding of the point to T.
-    const vec3<T> in_w(abs(direction) * c.error + (abs(origin) + abs(step)) * W(4 * unit_roundoff<W>));
-    const T least(std::numeric_limits<scalar_t<T>>::min());
     rec.t = T(c.t);
-    rec.point = vec3<T>(origin + step);
-    rec.error = (in_w + abs(rec.point) * T(unit_roundoff<T>)) * T(1 + 4 * unit_roundoff<T>) + vec3<T>(least);
+    rec.point = vec3<T>(vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t);
+    // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
+    // rounding of the point to T. The smallest normal number stands for all that underflows.
+    constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>;
+    const T least(std::numeric_limits<scalar_t<T>>::min()), of_t = T(c.error + W(least));
+    rec.error =
+        (abs(ray.direction) * of_t + abs(ray.origin) * T(in_w) + abs(rec.point) * T(in_t + in_w)) * T(1 + 4 * in_t) +
+        vec3<T>(least);
     rec.index = index_t<T>{};
     rec.front_face = c.entering;
 }

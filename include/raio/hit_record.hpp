@@ -39,7 +39,7 @@ RAIO_FN constexpr void assign(mask_t<T> mask, hit_record<T>& to, const hit_recor
 template <real T>
 RAIO_FN constexpr ray<T> spawn_ray(const hit_record<T>& rec, const vec3<T>& direction) {
     const T side = copysign(T(1), dot(rec.normal, direction));
-    const vec3<T> n = rec.normal * side;
+    vec3<T> n = rec.normal * side;
     const T distance = dot(abs(n), rec.error);
     const auto moved = [&](T p, T n_i) { return select(n_i == T(0), p, outward(p + n_i * distance, n_i)); };
     return {{moved(rec.point.x, n.x), moved(rec.point.y, n.y), moved(rec.point.z, n.z)}, direction};

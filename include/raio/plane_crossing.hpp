@@ -11,11 +11,11 @@ template <real W>
 RAIO_FN constexpr crossing<W> cross_plane(const vec3<W>& normal, const vec3<W>& direction, const W& height,
                                           const W& height_error) {
     constexpr double u = unit_roundoff<W>;
-    const W speed = dot(normal, direction), zero(0);
-    const W speed_error = W(4 * u) * dot(abs(normal), abs(direction));
-    const W per_height = quotient(W(1), speed, zero), t = -height * per_height;
+    W speed = dot(normal, direction), zero(0);
+    W speed_error = W(4 * u) * dot(abs(normal), abs(direction));
+    W per_height = quotient(W(1), speed, zero), t = -height * per_height;
     // With the speed above twice its error, 1 / (|speed| - error) is at most 2 / |speed|.
-    const W error = W(2) * (height_error + abs(t) * speed_error) * abs(per_height) + W(4 * u) * abs(t);
+    W error = W(2) * (height_error + abs(t) * speed_error) * abs(per_height) + W(4 * u) * abs(t);
     return {.exists = is_finite(speed) && (speed < zero || speed > zero),
             .certain = abs(speed) > W(2) * speed_error || speed_error == zero,
             .t = t,
@@ -31,7 +31,7 @@ struct plane_height {
 
 template <class W, real T>
 RAIO_FN constexpr plane_height<W> height_above(const vec3<W>& normal, const vec3<T>& point, const vec3<T>& origin) {
-    const vec3<W> from_point = vec3<W>(origin) - vec3<W>(point);
+    vec3<W> from_point = vec3<W>(origin) - vec3<W>(point);
     return {dot(normal, from_point), W(5 * unit_roundoff<W>) * dot(abs(normal), abs(from_point))};
 }
 

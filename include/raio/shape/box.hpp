@@ -25,7 +25,7 @@ struct box {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return first_crossing(*this, ray, t_min, t_max).exists;
+        return any_hit(*this, ray, t_min, t_max);
     }
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
@@ -36,7 +36,7 @@ struct box {
 
     /// A face is chosen by its share of the area, and a point on it with what is left of u.x.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
-        const vec3<T> size = max - min, share(size.y * size.z, size.z * size.x, size.x * size.y);
+        vec3<T> size = max - min, share(size.y * size.z, size.z * size.x, size.x * size.y);
         T left = u.x * T(2) * (share.x + share.y + share.z);
         glm::length_t axis = 0;
         while (axis < 2 && left >= T(2) * share[axis]) left -= T(2) * share[axis++];
@@ -53,13 +53,13 @@ struct box {
 
     template <class W>
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
-        const auto slab = [&](glm::length_t axis) {
-            const W o(ray.origin[axis]), d(ray.direction[axis]), low(min[axis]), high(max[axis]), zero(0);
+        auto slab = [&](glm::length_t axis) {
+            W o(ray.origin[axis]), d(ray.direction[axis]), low(min[axis]), high(max[axis]), zero(0);
             const mask_t<W> parallel = d == zero, forward = d > zero, yes = zero == zero;
-            const W over_d = quotient(W(1), d, zero), to_low = (low - o) * over_d, to_high = (high - o) * over_d;
-            const W near = select(parallel, -infinity<W>, select(forward, to_low, to_high));
-            const W far = select(parallel, infinity<W>, select(forward, to_high, to_low));
-            const W k = W(4 * unit_roundoff<W>);
+            W over_d = quotient(W(1), d, zero), to_low = (low - o) * over_d, to_high = (high - o) * over_d;
+            W near = select(parallel, -infinity<W>, select(forward, to_low, to_high));
+            W far = select(parallel, infinity<W>, select(forward, to_high, to_low));
+            W k = W(4 * unit_roundoff<W>);
             const index_t<W> low_face = index_t<W>(2 * axis), high_face = index_t<W>(2 * axis + 1);
             const mask_t<W> exists =
                 low <= high && near <= far && is_finite(d) && (!parallel || (low <= o && o <= high));
@@ -94,8 +94,8 @@ struct box {
         const auto along = [&](T p, T low, T high) {
             return raio::max(zero, raio::min(one, quotient(p - low, high - low, zero)));
         };
-        const vec3<T> local(along(rec.point.x, min.x, max.x), along(rec.point.y, min.y, max.y),
-                            along(rec.point.z, min.z, max.z));
+        vec3<T> local(along(rec.point.x, min.x, max.x), along(rec.point.y, min.y, max.y),
+                      along(rec.point.z, min.z, max.z));
         rec.uv = {select(x, local.y, local.x), select(z, local.y, local.z)};
     }
 };

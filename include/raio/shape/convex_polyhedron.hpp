@@ -36,7 +36,7 @@ struct convex_polyhedron {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return first_crossing(*this, ray, t_min, t_max).exists;
+        return any_hit(*this, ray, t_min, t_max);
     }
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
@@ -71,7 +71,7 @@ struct convex_polyhedron {
 
     template <class W>
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
-        const vec3<W> origin(ray.origin), direction(ray.direction);
+        vec3<W> origin(ray.origin), direction(ray.direction);
         chord<W> c = everywhere<W>();
         index_t<W> face{};
         for (const half_space<T>& plane : planes) {
@@ -84,10 +84,10 @@ struct convex_polyhedron {
 
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        const vec3<T> outward(normalize(vec3<quick_t<T>>(planes[c.face].normal)));
+        vec3<T> outward(normalize(vec3<quick_t<T>>(planes[c.face].normal)));
         record_point(ray, c, rec);
         rec.normal = outward * select(c.entering, T(1), T(-1));
-        const vec3<T> local = frame_about(outward).to_local(rec.point);
+        vec3<T> local = frame_about(outward).to_local(rec.point);
         rec.uv = {local.x - floor(local.x), local.y - floor(local.y)};
     }
 
@@ -101,9 +101,9 @@ private:
     };
 
     RAIO_FN constexpr edge_line edge(std::size_t i, std::size_t j) const {
-        const exact none(0), tiny(1024 * unit_roundoff<exact>);
+        exact none(0), tiny(1024 * unit_roundoff<exact>);
         const vec3<exact> a(planes[i].normal), b(planes[j].normal), direction = cross(a, b);
-        const exact length2 = dot(direction, direction);
+        exact length2 = dot(direction, direction);
         if (!(length2 > tiny * dot(a, a) * dot(b, b))) return {direction, direction, {}};  // parallel planes
 
         const vec3<exact> point =
@@ -112,8 +112,8 @@ private:
         for (std::size_t k = 0; k < std::size(planes); ++k) {
             if (k == i || k == j) continue;
             const vec3<exact> n(planes[k].normal);
-            const exact height = dot(n, point) + exact(planes[k].offset), speed = dot(n, direction);
-            const exact slack = tiny * (dot(abs(n), abs(point)) + abs(exact(planes[k].offset)));
+            exact height = dot(n, point) + exact(planes[k].offset), speed = dot(n, direction);
+            exact slack = tiny * (dot(abs(n), abs(point)) + abs(exact(planes[k].offset)));
             if (abs(speed) <= tiny * dot(abs(n), abs(direction))) {
                 if (height > slack) return {point, direction, {}};
             } else if (speed > none) {
@@ -148,7 +148,7 @@ private:
 
     RAIO_FN constexpr bool touches(std::size_t k, const vec3<exact>& p) const {
         const vec3<exact> n(planes[k].normal);
-        const exact offset(planes[k].offset), slack(0x1p20 * unit_roundoff<exact>);
+        exact offset(planes[k].offset), slack(0x1p20 * unit_roundoff<exact>);
         return abs(dot(n, p) + offset) <= slack * (dot(abs(n), abs(p)) + abs(offset));
     }
 
@@ -179,9 +179,9 @@ private:
     template <class W>
     RAIO_FN static constexpr chord<W> behind(const half_space<T>& plane, const vec3<W>& origin,
                                              const vec3<W>& direction, index_t<W> face) {
-        const vec3<W> n(plane.normal);
-        const W height = dot(n, origin) + W(plane.offset);
-        const W height_error = W(5 * unit_roundoff<W>) * (dot(abs(n), abs(origin)) + abs(W(plane.offset)));
+        vec3<W> n(plane.normal);
+        W height = dot(n, origin) + W(plane.offset);
+        W height_error = W(5 * unit_roundoff<W>) * (dot(abs(n), abs(origin)) + abs(W(plane.offset)));
         crossing<W> c = cross_plane(n, direction, height, height_error);
         c.face = face;
 

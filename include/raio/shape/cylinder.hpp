@@ -29,10 +29,10 @@ namespace detail {
 template <class W, real T>
 RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec3<T>& top, T radius,
                                                   const ray<T>& ray) {
-    const vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base), l = vec3<W>(base) - vec3<W>(ray.origin);
-    const vec3<W> n = cross(d, axis), m = cross(l, axis);
-    const W r(radius), a = dot(n, n), b = dot(m, n), axis2 = dot(axis, axis), d2 = dot(d, d), l2 = dot(l, l), zero(0);
-    const W passed = dot(axis, cross(l, d)), ar2 = a * r * r, passed2 = passed * passed, s2 = ar2 - passed2;
+    vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base), l = vec3<W>(base) - vec3<W>(ray.origin);
+    vec3<W> n = cross(d, axis), m = cross(l, axis);
+    W r(radius), a = dot(n, n), b = dot(m, n), axis2 = dot(axis, axis), d2 = dot(d, d), l2 = dot(l, l), zero(0);
+    W passed = dot(axis, cross(l, d)), ar2 = a * r * r, passed2 = passed * passed, s2 = ar2 - passed2;
 
     // The errors, with u the unit roundoff: |n| is off by 8 u |d| |A| at most, `passed` by 16 u |A| |l| |d|. If the
     // angle between the lines is above 2 degrees (the sine's square above 2^-10) and the chord above a 32nd of the
@@ -44,8 +44,8 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     const mask_t<W> sound = radius > T(0) && axis2 > zero && d2 > zero, parallel = a == zero;
     const mask_t<W> exists = sound && select(parallel, dot(m, m) <= r * r * axis2, s2 >= zero);
 
-    const W s = sqrt(axis2 * max(s2, zero)), over_a = quotient(W(1), a, zero);
-    const W error = select(parallel, zero, W(0x1p21 * u) * quotient(norm1(l) + r, norm1(d), zero));
+    W s = sqrt(axis2 * max(s2, zero)), over_a = quotient(W(1), a, zero);
+    W error = select(parallel, zero, W(0x1p21 * u) * quotient(norm1(l) + r, norm1(d), zero));
     return {{exists, certain, select(parallel, -infinity<W>, (b - s) * over_a), error, exists},
             {exists, certain, select(parallel, infinity<W>, (b + s) * over_a), error, !exists}};
 }
@@ -53,8 +53,8 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
 /// The chord through the slab between the two planes that the caps lie in.
 template <class W, real T>
 RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<T>& ray) {
-    const vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base);
-    const auto above_base = height_above<W>(axis, base, ray.origin), above_top = height_above<W>(axis, top, ray.origin);
+    vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base);
+    auto above_base = height_above<W>(axis, base, ray.origin), above_top = height_above<W>(axis, top, ray.origin);
     crossing<W> low = cross_plane(axis, d, above_base.value, above_base.error);
     crossing<W> high = cross_plane(axis, d, above_top.value, above_top.error);
     low.face = index_t<W>(1);
@@ -77,14 +77,14 @@ template <class W, real T>
 RAIO_FN constexpr void cylinder_surface(const vec3<T>& base, const vec3<T>& top, T radius, const ray<T>& ray,
                                         const crossing<W>& c, hit_record<T>& rec) {
     using Q = quick_t<T>;
-    const vec3<W> axis = vec3<W>(top) - vec3<W>(base);
-    const vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;
-    const W axis2 = dot(axis, axis), along = dot(from_base, axis);
-    const vec3<Q> up = normalize(vec3<Q>(axis)), from_axis(from_base - axis * (along / axis2));
-    const Q distance = length(from_axis), zero(0);
+    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+    vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;
+    W axis2 = dot(axis, axis), along = dot(from_base, axis);
+    vec3<Q> up = normalize(vec3<Q>(axis)), from_axis(from_base - axis * (along / axis2));
+    Q distance = length(from_axis), zero(0);
     const mask_t<T> side = c.face == index_t<T>(0);
-    const vec3<Q> sideways = from_axis * quotient(Q(1), distance, zero);
-    const vec3<Q> outward = select(side, sideways, up * select(c.face == index_t<T>(1), Q(-1), Q(1)));
+    vec3<Q> sideways = from_axis * quotient(Q(1), distance, zero);
+    vec3<Q> outward = select(side, sideways, up * select(c.face == index_t<T>(1), Q(-1), Q(1)));
 
     record_point(ray, c, rec);
     rec.normal = vec3<T>(outward * select(c.entering, Q(1), Q(-1)));
@@ -95,7 +95,7 @@ RAIO_FN constexpr void cylinder_surface(const vec3<T>& base, const vec3<T>& top,
 
 template <real T>
 RAIO_FN constexpr aabb<T> cylinder_bounds(const vec3<T>& base, const vec3<T>& top, T radius) {
-    const vec3<T> reach = disc_reach(top - base, radius);
+    vec3<T> reach = disc_reach(top - base, radius);
     return padded(hull(aabb<T>{base - reach, base + reach}, aabb<T>{top - reach, top + reach}));
 }
 
@@ -114,7 +114,7 @@ struct cylinder {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return first_crossing(*this, ray, t_min, t_max).exists;
+        return any_hit(*this, ray, t_min, t_max);
     }
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
@@ -149,7 +149,7 @@ struct open_cylinder {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return first_crossing(*this, ray, t_min, t_max).exists;
+        return any_hit(*this, ray, t_min, t_max);
     }
 
     RAIO_FN constexpr aabb<T> bounds() const { return detail::cylinder_bounds(base, top, radius); }
@@ -158,27 +158,27 @@ struct open_cylinder {
 
     /// Unrolled the tube is a rectangle: `u` is its uv.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
-        const vec3<T> axis = top - base;
+        vec3<T> axis = top - base;
         const frame<T> f = frame_about(normalize(axis));
         const T phi = T(2 * pi<T>) * u.x;
-        const vec3<T> normal = f.x * cos(phi) + f.y * sin(phi);
+        vec3<T> normal = f.x * cos(phi) + f.y * sin(phi);
         return {base + axis * u.y + normal * radius, normal};
     }
 
     /// Either crossing counts on its own, if it lies between the two planes.
     template <class W>
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
-        const chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
+        chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         const auto within = [&](crossing<W> c) {
-            const W before = c.t - slab.near.t, after = slab.far.t - c.t;
-            const W before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
+            W before = c.t - slab.near.t, after = slab.far.t - c.t;
+            W before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
             const mask_t<W> off = before < -before_error || after < -after_error || !slab.near.exists;
             c.certain =
                 c.certain && slab.near.certain && (off || !c.exists || (before > before_error && after > after_error));
             c.exists = c.exists && slab.near.exists && before >= W(0) && after >= W(0);
             return c;
         };
-        const chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);
+        chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);
         return {within(endless.near), within(endless.far)};
     }
 

@@ -25,12 +25,12 @@ struct disc {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return first_crossing(*this, ray, t_min, t_max).exists;
+        return any_hit(*this, ray, t_min, t_max);
     }
 
     /// Along each axis the disc reaches as far as the radius times the sine of the angle between axis and normal.
     RAIO_FN constexpr aabb<T> bounds() const {
-        const vec3<T> reach = disc_reach(normal, radius);
+        vec3<T> reach = disc_reach(normal, radius);
         return padded(aabb<T>{center - reach, center + reach});
     }
 
@@ -45,15 +45,15 @@ struct disc {
     template <class W>
     RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
         constexpr double u = unit_roundoff<W>;
-        const W r(radius);
-        const vec3<W> n(normal), d(ray.direction), l = vec3<W>(ray.origin) - vec3<W>(center);
-        const auto height = height_above<W>(n, center, ray.origin);
+        W r(radius);
+        vec3<W> n(normal), d(ray.direction), l = vec3<W>(ray.origin) - vec3<W>(center);
+        auto height = height_above<W>(n, center, ray.origin);
         crossing<W> c = cross_plane(n, d, height.value, height.error);
 
-        const vec3<W> step = d * c.t, from_center = l + step;
-        const W r2 = r * r, distance2 = dot(from_center, from_center);
-        const W off = norm1(d) * c.error + W(3 * u) * (norm1(l) + norm1(step));
-        const W slack = off * (W(2) * norm1(from_center) + off) + W(4 * u) * (r2 + distance2);
+        vec3<W> step = d * c.t, from_center = l + step;
+        W r2 = r * r, distance2 = dot(from_center, from_center);
+        W off = norm1(d) * c.error + W(3 * u) * (norm1(l) + norm1(step));
+        W slack = off * (W(2) * norm1(from_center) + off) + W(4 * u) * (r2 + distance2);
         const mask_t<W> beyond = distance2 - r2 > slack;
         c.exists = c.exists && distance2 <= r2 && radius > T(0);
         c.certain = c.certain && (beyond || r2 - distance2 > slack);
@@ -62,10 +62,10 @@ struct disc {
 
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        const vec3<T> outward(normalize(vec3<quick_t<T>>(normal)));
+        vec3<T> outward(normalize(vec3<quick_t<T>>(normal)));
         record_point(ray, c, rec);
         rec.normal = outward * select(c.entering, T(1), T(-1));
-        const vec3<T> local = frame_about(outward).to_local(rec.point - center);
+        vec3<T> local = frame_about(outward).to_local(rec.point - center);
         rec.uv = {turns(local.y, local.x), min(T(1), sqrt(local.x * local.x + local.y * local.y) / radius)};
     }
 };

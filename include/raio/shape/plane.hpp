@@ -26,24 +26,24 @@ struct plane {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return first_crossing(*this, ray, t_min, t_max).exists;
+        return any_hit(*this, ray, t_min, t_max);
     }
 
     RAIO_FN constexpr aabb<T> bounds() const { return unbounded<T>(); }
 
     template <class W>
     RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
-        const vec3<W> n(normal);
-        const auto height = height_above<W>(n, point, ray.origin);
+        vec3<W> n(normal);
+        auto height = height_above<W>(n, point, ray.origin);
         return cross_plane(n, vec3<W>(ray.direction), height.value, height.error);
     }
 
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        const vec3<T> outward(normalize(vec3<quick_t<T>>(normal)));
+        vec3<T> outward(normalize(vec3<quick_t<T>>(normal)));
         record_point(ray, c, rec);
         rec.normal = outward * select(c.entering, T(1), T(-1));
-        const vec3<T> local = frame_about(outward).to_local(rec.point - point);
+        vec3<T> local = frame_about(outward).to_local(rec.point - point);
         rec.uv = {local.x - floor(local.x), local.y - floor(local.y)};
     }
 };

@@ -29,7 +29,7 @@ struct sphere {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return first_crossing(*this, ray, t_min, t_max).exists;
+        return any_hit(*this, ray, t_min, t_max);
     }
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
@@ -43,15 +43,15 @@ struct sphere {
     /// `u` in [0, 1)^2, as the sphere's uv but for v, which is the height here (Archimedes).
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
         const T y = T(2) * u.y - T(1), rho = sqrt(max(T(0), T(1) - y * y)), phi = T(2 * pi<T>) * u.x;
-        const vec3<T> normal(rho * cos(phi), y, -rho * sin(phi));
+        vec3<T> normal(rho * cos(phi), y, -rho * sin(phi));
         return {center + normal * radius, normal};
     }
 
     template <class W>
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
-        const vec3<W> d(ray.direction), l = vec3<W>(center) - vec3<W>(ray.origin), moment = cross(l, d);
-        const W a = dot(d, d), b = dot(l, d), ar2 = a * W(radius) * W(radius), passed2 = dot(moment, moment);
-        const W s2 = ar2 - passed2;
+        vec3<W> d(ray.direction), l = vec3<W>(center) - vec3<W>(ray.origin), moment = cross(l, d);
+        W a = dot(d, d), b = dot(l, d), ar2 = a * W(radius) * W(radius), passed2 = dot(moment, moment);
+        W s2 = ar2 - passed2;
         const mask_t<W> exists = s2 >= W(0) && a > W(0) && radius > T(0);
         // With u the unit roundoff and |l| |d| <= |b| + |l x d|, the error of s2 is below 8 u |l x d| |b| + 14 u (ar2 +
         // passed2). Twice the product is at most the sum of the squares, however they are weighted: that decides a
@@ -62,8 +62,8 @@ struct sphere {
         const mask_t<W> certain = missed || s2 > W(0x1p-10) * ar2;
         if (none(exists)) return {{exists, certain, W(0), W(0), exists}, {exists, certain, W(0), W(0), exists}};
 
-        const W s = sqrt(s2), over_a = W(1) / a;
-        const W error = W(0x1p14 * u) * (abs(b) + s) * over_a;
+        W s = sqrt(s2), over_a = W(1) / a;
+        W error = W(0x1p14 * u) * (abs(b) + s) * over_a;
         return {{exists, certain, (b - s) * over_a, error, exists},
                 {exists, certain, (b + s) * over_a, error, !exists}};
     }
@@ -71,8 +71,8 @@ struct sphere {
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
         using Q = quick_t<T>;
-        const vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
-        const vec3<T> outward(normalize(vec3<Q>(from_center)));
+        vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
+        vec3<T> outward(normalize(vec3<Q>(from_center)));
         record_point(ray, c, rec);
         rec.normal = outward * select(c.entering, T(1), T(-1));
         rec.uv = {turns(-outward.z, outward.x),

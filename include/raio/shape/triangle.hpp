@@ -28,7 +28,7 @@ struct triangle {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return first_crossing(*this, ray, t_min, t_max).exists;
+        return any_hit(*this, ray, t_min, t_max);
     }
 
     RAIO_FN constexpr aabb<T> bounds() const { return padded(hull(hull(aabb<T>{a, a}, b), c)); }
@@ -43,24 +43,24 @@ struct triangle {
 
     template <class W>
     RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
-        const vec3<W> direction(ray.direction), corner(a);
-        const vec3<W> e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner, s = vec3<W>(ray.origin) - corner;
-        const vec3<W> p = cross(direction, e2), q = cross(s, e1);
-        const W det = dot(e1, p), sign = copysign(W(1), det), size = abs(det);
-        const W u = dot(s, p) * sign, v = dot(direction, q) * sign, w = size - (u + v);
+        vec3<W> direction(ray.direction), corner(a);
+        vec3<W> e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner, s = vec3<W>(ray.origin) - corner;
+        vec3<W> p = cross(direction, e2), q = cross(s, e1);
+        W det = dot(e1, p), sign = copysign(W(1), det), size = abs(det);
+        W u = dot(s, p) * sign, v = dot(direction, q) * sign, w = size - (u + v);
 
         // A triple product of vectors that are off by a rounding each is off by less than 8 roundings of their lengths'
         // product.
-        const W k = W(8 * unit_roundoff<W>);
-        const W d1 = norm1(direction), s1 = norm1(s), n1 = norm1(e1), n2 = norm1(e2);
-        const W det_error = k * n1 * d1 * n2, u_error = k * s1 * d1 * n2, v_error = k * s1 * d1 * n1;
-        const W w_error = det_error + u_error + v_error;
-        const W zero(0);
+        W k = W(8 * unit_roundoff<W>);
+        W d1 = norm1(direction), s1 = norm1(s), n1 = norm1(e1), n2 = norm1(e2);
+        W det_error = k * n1 * d1 * n2, u_error = k * s1 * d1 * n2, v_error = k * s1 * d1 * n1;
+        W w_error = det_error + u_error + v_error;
+        W zero(0);
         const mask_t<W> outside = u < -u_error || v < -v_error || w < -w_error;
         const mask_t<W> inside = u > u_error && v > v_error && w > w_error;
 
-        const W over_det = quotient(sign, det, zero) * sign, height = dot(e2, q), t = height * over_det;
-        const W error = W(2) * (k * n2 * s1 * n1 + abs(t) * det_error) * abs(over_det);
+        W over_det = quotient(sign, det, zero) * sign, height = dot(e2, q), t = height * over_det;
+        W error = W(2) * (k * n2 * s1 * n1 + abs(t) * det_error) * abs(over_det);
         return {.exists = u >= zero && v >= zero && w >= zero && size > zero,
                 .certain = size > W(2) * det_error && (outside || inside),
                 .t = t,
@@ -70,13 +70,13 @@ struct triangle {
 
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& at, hit_record<T>& rec) const {
-        const vec3<W> corner(a), e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner, across = cross(e1, e2);
-        const vec3<W> p = (vec3<W>(ray.origin) - corner) + vec3<W>(ray.direction) * at.t;
-        const vec3<T> outward(normalize(vec3<quick_t<T>>(across)));
+        vec3<W> corner(a), e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner, across = cross(e1, e2);
+        vec3<W> p = (vec3<W>(ray.origin) - corner) + vec3<W>(ray.direction) * at.t;
+        vec3<T> outward(normalize(vec3<quick_t<T>>(across)));
         record_point(ray, at, rec);
         rec.normal = outward * select(at.entering, T(1), T(-1));
         // The areas of the triangles that the point makes with two of the corners, over the area of the whole.
-        const W over_area2 = W(1) / dot(across, across);
+        W over_area2 = W(1) / dot(across, across);
         const T u = max(T(0), min(T(1), T(dot(cross(p, e2), across) * over_area2)));
         rec.uv = {u, max(T(0), min(T(1) - u, T(dot(cross(e1, p), across) * over_area2)))};
     }

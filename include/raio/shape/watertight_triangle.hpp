@@ -26,7 +26,7 @@ struct watertight_triangle {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return first_crossing(*this, ray, t_min, t_max).exists;
+        return any_hit(*this, ray, t_min, t_max);
     }
 
     RAIO_FN constexpr aabb<T> bounds() const { return as_triangle().bounds(); }
@@ -43,31 +43,27 @@ struct watertight_triangle {
                            W(select(last_is_x, v.z, select(last_is_y, v.x, v.y))),
                            W(select(last_is_x, v.x, select(last_is_y, v.y, v.z))));
         };
-        const W zero(0);
-        const vec3<W> direction = turned(ray.direction), origin = turned(ray.origin);
-        const W over_z = quotient(W(1), direction.z, zero), shear_x = direction.x * over_z,
-                shear_y = direction.y * over_z;
+        W zero(0);
+        vec3<W> direction = turned(ray.direction), origin = turned(ray.origin);
+        W over_z = quotient(W(1), direction.z, zero), shear_x = direction.x * over_z, shear_y = direction.y * over_z;
         const auto sheared = [&](const vec3<T>& corner) {
-            const vec3<W> from_origin = turned(corner) - origin;
+            vec3<W> from_origin = turned(corner) - origin;
             return vec3<W>(from_origin.x - shear_x * from_origin.z, from_origin.y - shear_y * from_origin.z,
                            from_origin.z);
         };
-        const vec3<W> p = sheared(a), q = sheared(b), r = sheared(c);
-        const W u = r.x * q.y - r.y * q.x, v = p.x * r.y - p.y * r.x, w = q.x * p.y - q.y * p.x, det = u + v + w;
+        vec3<W> p = sheared(a), q = sheared(b), r = sheared(c);
+        W u = r.x * q.y - r.y * q.x, v = p.x * r.y - p.y * r.x, w = q.x * p.y - q.y * p.x, det = u + v + w;
 
         // A sheared corner is off by 5 roundings of its distance from the origin at most, an edge function by twelve of
         // the product of two such distances.
-        const W k = W(12 * unit_roundoff<W>), np = norm1(p) + norm1(p), nq = norm1(q) + norm1(q),
-                nr = norm1(r) + norm1(r);
-        const W u_error = k * nr * nq, v_error = k * np * nr, w_error = k * nq * np,
-                det_error = u_error + v_error + w_error;
+        W k = W(12 * unit_roundoff<W>), np = norm1(p) + norm1(p), nq = norm1(q) + norm1(q), nr = norm1(r) + norm1(r);
+        W u_error = k * nr * nq, v_error = k * np * nr, w_error = k * nq * np, det_error = u_error + v_error + w_error;
         const mask_t<W> inside = (u >= zero && v >= zero && w >= zero) || (u <= zero && v <= zero && w <= zero);
         const mask_t<W> decided = abs(u) > u_error && abs(v) > v_error && abs(w) > w_error;
 
-        const W over_det = quotient(W(1), det, zero), height = u * p.z + v * q.z + w * r.z,
-                t = height * over_det * over_z;
-        const W height_error = W(2) * (u_error * abs(p.z) + v_error * abs(q.z) + w_error * abs(r.z));
-        const W error = W(2) * (height_error * abs(over_z) + abs(t) * det_error) * abs(over_det) + k * abs(t);
+        W over_det = quotient(W(1), det, zero), height = u * p.z + v * q.z + w * r.z, t = height * over_det * over_z;
+        W height_error = W(2) * (u_error * abs(p.z) + v_error * abs(q.z) + w_error * abs(r.z));
+        W error = W(2) * (height_error * abs(over_z) + abs(t) * det_error) * abs(over_det) + k * abs(t);
         return {.exists = inside && (det < zero || det > zero) && is_finite(direction.z) && abs(direction.z) > zero,
                 .certain = decided && (!inside || abs(det) > W(2) * det_error),
                 .t = t,
