@@ -14,6 +14,17 @@
 
 namespace raio {
 
+/// What a comparison has to forgive. The last of several precisions takes what it cannot tell from a tie for one:
+/// edges, rims and tangents belong to the shape. A number type that stands alone compares what it has computed.
+template <real W>
+RAIO_FN constexpr W tie(const W& error) {
+    if constexpr (std::same_as<W, double_double>) {
+        return error;
+    } else {
+        return W(0);
+    }
+}
+
 /// One crossing of the line `origin + t * direction` with a surface, in the precision of W.
 template <class W>
 struct crossing {
@@ -38,12 +49,9 @@ struct chord {
 
 template <class Mask, class W>
 RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const crossing<W>& b) {
-    return {(mask && a.exists) || (!mask && b.exists),
-            (mask && a.certain) || (!mask && b.certain),
-            select(mask, a.t, b.t),
-            select(mask, a.error, b.error),
-            (mask && a.entering) || (!mask && b.entering),
-            select(mask, a.face, b.face)};
+    const auto either = [&](const Mask& x, const Mask& y) { return some(every(mask, x), every(!mask, y)); };
+    return {either(a.exists, b.exists),     either(a.certain, b.certain),   select(mask, a.t, b.t),
+            select(mask, a.error, b.error), either(a.entering, b.entering), select(mask, a.face, b.face)};
 }
 
 /// The chord of a line that is inside everywhere.
@@ -53,23 +61,24 @@ RAIO_FN constexpr chord<W> everywhere() {
     return {{yes, yes, -infinity<W>, W(0), yes}, {yes, yes, infinity<W>, W(0), !yes}};
 }
 
-/// The chord of the points that two convex solids share: it starts where the line has entered both and ends where it
-/// leaves the first. A face that is entered together with another one counts where it stands first.
+/// The chord of the points that two convex solids share: from where the line has entered both to where it leaves the
+/// first. Of two faces that are crossed at the same t, that of `a` is named.
 template <real W>
 RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
-    chord<W> both{select(a.near.t < b.near.t, b.near, a.near), select(b.far.t < a.far.t, b.far, a.far)};
-    // If the other crossing may really lie beyond the one that was chosen, the error reaches that far.
-    W other_near = select(a.near.t < b.near.t, a.near.t + a.near.error, b.near.t + b.near.error);
-    W other_far = select(b.far.t < a.far.t, a.far.t - a.far.error, b.far.t - b.far.error);
-    both.near.error = max(both.near.error, other_near - both.near.t);
-    both.far.error = max(both.far.error, both.far.t - other_far);
+    chord<W> both = a;
+    both.near.t = max(a.near.t, b.near.t);
+    both.near.face = select(a.near.t < b.near.t, b.near.face, a.near.face);
+    both.far.t = min(a.far.t, b.far.t);
+    both.far.face = select(b.far.t < a.far.t, b.far.face, a.far.face);
+    // The larger of two numbers is off by no more than the one that is off more.
+    both.near.error = max(a.near.error, b.near.error);
+    both.far.error = max(a.far.error, b.far.error);
 
     W gap = both.far.t - both.near.t, slack = both.near.error + both.far.error;
-    const mask_t<W> exists = a.near.exists && b.near.exists && gap >= W(0);
-    const mask_t<W> certain = (a.near.certain && !a.near.exists) || (b.near.certain && !b.near.exists) ||
-                              (a.near.certain && b.near.certain && abs(gap) > slack);
-    both.near.exists = both.far.exists = exists;
-    both.near.certain = both.far.certain = certain;
+    const mask_t<W> missed = some(every(a.near.certain, !a.near.exists), every(b.near.certain, !b.near.exists));
+    const mask_t<W> decided = every(a.near.certain, b.near.certain, abs(gap) > slack);
+    both.near.exists = both.far.exists = every(a.near.exists, b.near.exists, gap >= -tie(slack));
+    both.near.certain = both.far.certain = some(missed, decided);
     return both;
 }
 
@@ -79,7 +88,7 @@ namespace detail {
 template <real T, class W>
 RAIO_FN constexpr mask_t<T> in_window(const crossing<W>& c, T t_min, T t_max) {
     const T t = T(c.t);
-    return c.exists && t_min <= t && t <= t_max && is_finite(t);
+    return every(c.exists, t_min <= t, t <= t_max, is_finite(t));
 }
 
 /// The first crossing in the window as W finds it; `exists` says whether there is one.
@@ -100,9 +109,9 @@ template <real T, class W>
 RAIO_FN constexpr crossing<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
     if (!c.exists) return c;
     const T low = T(c.t - c.error), high = T(c.t + c.error);
-    const bool inside = low == high && t_min <= low && high <= t_max && is_finite(low);
-    const bool outside = high < t_min || t_max < low;
-    c.certain = c.certain && (inside || outside);
+    const bool inside = every(low == high, t_min <= low, high <= t_max, is_finite(low));
+    const bool outside = some(high < t_min, t_max < low);
+    c.certain = every(c.certain, some(inside, outside));
     c.exists = inside;
     return c;
 }

@@ -16,8 +16,8 @@ RAIO_FN constexpr crossing<W> cross_plane(const vec3<W>& normal, const vec3<W>& 
     W per_height = quotient(W(1), speed, zero), t = -height * per_height;
     // With the speed above twice its error, 1 / (|speed| - error) is at most 2 / |speed|.
     W error = W(2) * (height_error + abs(t) * speed_error) * abs(per_height) + W(4 * u) * abs(t);
-    return {.exists = is_finite(speed) && (speed < zero || speed > zero),
-            .certain = abs(speed) > W(2) * speed_error || speed_error == zero,
+    return {.exists = every(abs(speed) > tie(speed_error), is_finite(speed)),
+            .certain = abs(speed) >= W(2) * speed_error,
             .t = t,
             .error = error,
             .entering = speed < zero};

@@ -77,6 +77,25 @@ RAIO_FN constexpr bool any(bool mask) { return mask; }
 RAIO_FN constexpr bool all(bool mask) { return mask; }
 RAIO_FN constexpr bool none(bool mask) { return !mask; }
 
+/// Are all the masks set, is one of them? Unlike && and || these ask every one of them: a branch on a comparison that
+/// is as good as random costs more than the comparisons it saves.
+template <class Mask, std::same_as<Mask>... Masks>
+RAIO_FN constexpr Mask every(const Mask& first, const Masks&... rest) {
+    if constexpr (std::same_as<Mask, bool>) {
+        return (static_cast<unsigned>(first) & ... & static_cast<unsigned>(rest)) != 0;
+    } else {
+        return (first & ... & rest);
+    }
+}
+template <class Mask, std::same_as<Mask>... Masks>
+RAIO_FN constexpr Mask some(const Mask& first, const Masks&... rest) {
+    if constexpr (std::same_as<Mask, bool>) {
+        return (static_cast<unsigned>(first) | ... | static_cast<unsigned>(rest)) != 0;
+    } else {
+        return (first | ... | rest);
+    }
+}
+
 // The functions of <cmath> for the built-in numbers. Those of other number types are found by argument-dependent
 // lookup.
 template <std::floating_point T>
@@ -122,6 +141,8 @@ concept real = requires(const T a, const T b, const mask_t<T> m) {
     mask_t<T>(a == b);
     mask_t<T>(m && m);
     mask_t<T>(m || m);
+    mask_t<T>(every(m, m));
+    mask_t<T>(some(m, m));
     mask_t<T>(!m);
     T(select(m, a, b));
     bool(any(m));
@@ -158,7 +179,7 @@ inline constexpr double unit_roundoff = [] {
 /// Is the number neither infinite nor NaN?
 template <real T>
 RAIO_FN constexpr mask_t<T> is_finite(const T& x) {
-    return x - x == T(scalar_t<T>(0));
+    return abs(x) < infinity<T>;
 }
 
 /// a / b, and `otherwise` where b is zero.

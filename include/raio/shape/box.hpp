@@ -55,28 +55,27 @@ struct box {
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
         auto slab = [&](glm::length_t axis) {
             W o(ray.origin[axis]), d(ray.direction[axis]), low(min[axis]), high(max[axis]), zero(0);
-            const mask_t<W> parallel = d == zero, forward = d > zero, yes = zero == zero;
+            const mask_t<W> parallel = d == zero, forward = d > zero, yes = some(parallel, !parallel);
             W over_d = quotient(W(1), d, zero), to_low = (low - o) * over_d, to_high = (high - o) * over_d;
-            W near = select(parallel, -infinity<W>, select(forward, to_low, to_high));
-            W far = select(parallel, infinity<W>, select(forward, to_high, to_low));
-            W k = W(4 * unit_roundoff<W>);
+            W near = select(parallel, -infinity<W>, raio::min(to_low, to_high));
+            W far = select(parallel, infinity<W>, raio::max(to_low, to_high));
+            W error = select(parallel, zero, W(4 * unit_roundoff<W>) * raio::max(abs(to_low), abs(to_high)));
             const index_t<W> low_face = index_t<W>(2 * axis), high_face = index_t<W>(2 * axis + 1);
             const mask_t<W> exists =
-                low <= high && near <= far && is_finite(d) && (!parallel || (low <= o && o <= high));
-            return chord<W>{
-                {exists, yes, near, select(parallel, zero, k * abs(near)), yes, select(forward, low_face, high_face)},
-                {exists, yes, far, select(parallel, zero, k * abs(far)), !yes, select(forward, high_face, low_face)}};
+                every(low <= high, near <= far, is_finite(d), some(!parallel, every(low <= o, o <= high)));
+            return chord<W>{{exists, yes, near, error, yes, select(forward, low_face, high_face)},
+                            {exists, yes, far, error, !yes, select(forward, high_face, low_face)}};
         };
         chord<W> c = intersect(intersect(slab(0), slab(1)), slab(2));
         const mask_t<T> x = min.x < max.x, y = min.y < max.y, z = min.z < max.z;
-        c.near.exists = c.far.exists = c.near.exists && ((x && y) || (y && z) || (z && x));
+        c.near.exists = c.far.exists = every(c.near.exists, some(every(x, y), every(y, z), every(z, x)));
         return c;
     }
 
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
         const auto face_is = [&](unsigned low, unsigned high) {
-            return c.face == index_t<T>(low) || c.face == index_t<T>(high);
+            return some(c.face == index_t<T>(low), c.face == index_t<T>(high));
         };
         const mask_t<T> x = face_is(0, 1), y = face_is(2, 3), z = face_is(4, 5);
         const T zero(0), one(1);

@@ -186,13 +186,12 @@ private:
         c.face = face;
 
         const mask_t<W> parallel = !c.exists;
-        c.exists = !parallel || height <= W(0);
-        c.certain = c.certain && (!parallel || abs(height) > height_error || height_error == W(0));
+        c.exists = some(!parallel, height <= height_error);
+        c.certain = every(c.certain, some(!parallel, abs(height) > height_error));
         chord<W> inside{c, c};
-        inside.near.t = select(parallel || !c.entering, -infinity<W>, c.t);
-        inside.near.error = select(parallel || !c.entering, W(0), c.error);
-        inside.far.t = select(parallel || c.entering, infinity<W>, c.t);
-        inside.far.error = select(parallel || c.entering, W(0), c.error);
+        W ahead = select(c.entering, infinity<W>, -infinity<W>);
+        inside.near.t = select(parallel, -infinity<W>, min(c.t, ahead));
+        inside.far.t = select(parallel, infinity<W>, max(c.t, ahead));
         inside.near.entering = W(0) == W(0);
         inside.far.entering = !inside.near.entering;
         return inside;

@@ -34,15 +34,18 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     W r(radius), a = dot(n, n), b = dot(m, n), axis2 = dot(axis, axis), d2 = dot(d, d), l2 = dot(l, l), zero(0);
     W passed = dot(axis, cross(l, d)), ar2 = a * r * r, passed2 = passed * passed, s2 = ar2 - passed2;
 
-    // The errors, with u the unit roundoff: |n| is off by 8 u |d| |A| at most, `passed` by 16 u |A| |l| |d|. If the
-    // angle between the lines is above 2 degrees (the sine's square above 2^-10) and the chord above a 32nd of the
-    // diameter (s2 > 2^-10 ar2), they grow to less than 2^20 u (|l| + r) / |d| in t. A miss by more than the errors is
-    // decided at any angle.
+    // The errors, with u the unit roundoff: |n| is off by 8 u |d| |A| at most, `passed` by 16 u |A| |l| |d|. Twice a
+    // product is at most the sum of the squares, however they are weighted: that bounds the error of s2. If the angle
+    // between the lines is above 2 degrees (the sine's square above 2^-10) and the chord above a 32nd of the diameter
+    // (s2 > 2^-10 ar2), the errors grow to less than 2^20 u (|l| + r) / |d| in t.
     constexpr double u = unit_roundoff<W>;
-    const mask_t<W> missed = -s2 > W(0x1p-8) * passed2 + d2 * axis2 * (W(0x1p18 * u * u) * l2 + W(0x1p6 * u) * r * r);
-    const mask_t<W> certain = missed || (s2 > W(0x1p-10) * ar2 && a > W(0x1p-10) * d2 * axis2);
-    const mask_t<W> sound = radius > T(0) && axis2 > zero && d2 > zero, parallel = a == zero;
-    const mask_t<W> exists = sound && select(parallel, dot(m, m) <= r * r * axis2, s2 >= zero);
+    W s2_error = W(0x1p22 * u) * passed2 + d2 * axis2 * (W(0x1p-10 * u) * l2 + W(0x1p6 * u) * r * r);
+    const mask_t<W> sound = every(radius > T(0), axis2 > zero, d2 > zero), parallel = a == zero;
+    W beside2 = dot(m, m), inner2 = r * r * axis2;
+    const mask_t<W> exists =
+        every(sound, select(parallel, beside2 <= inner2 + W(0x1p8 * u) * (beside2 + l2 * axis2), s2 >= -s2_error));
+    const mask_t<W> long_chord = every(s2 > W(0x1p-10) * ar2, a > W(0x1p-10) * d2 * axis2);
+    const mask_t<W> certain = some(s2 < -s2_error, long_chord);
 
     W s = sqrt(axis2 * max(s2, zero)), over_a = quotient(W(1), a, zero);
     W error = select(parallel, zero, W(0x1p21 * u) * quotient(norm1(l) + r, norm1(d), zero));
@@ -57,19 +60,18 @@ RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& 
     auto above_base = height_above<W>(axis, base, ray.origin), above_top = height_above<W>(axis, top, ray.origin);
     crossing<W> low = cross_plane(axis, d, above_base.value, above_base.error);
     crossing<W> high = cross_plane(axis, d, above_top.value, above_top.error);
-    low.face = index_t<W>(1);
-    high.face = index_t<W>(2);
 
-    const mask_t<W> upward = high.entering == low.entering && !low.entering, parallel = !low.exists;
-    chord<W> c{select(upward, low, high), select(upward, high, low)};
-    const mask_t<W> yes = W(0) == W(0);
-    const mask_t<W> between = above_base.value >= W(0) && above_top.value <= W(0);
-    c.near.exists = c.far.exists = !parallel || between;
-    c.near.t = select(parallel, -infinity<W>, c.near.t);
-    c.far.t = select(parallel, infinity<W>, c.far.t);
-    c.near.entering = yes;
-    c.far.entering = !yes;
-    return c;
+    const mask_t<W> parallel = !low.exists, upward = !low.entering, yes = W(0) == W(0);
+    const mask_t<W> between = every(above_base.value >= -above_base.error, above_top.value <= above_top.error);
+    const mask_t<W> exists = some(!parallel, between);
+    const mask_t<W> decided = every(abs(above_base.value) > above_base.error, abs(above_top.value) > above_top.error);
+    const mask_t<W> certain = every(low.certain, high.certain, some(!parallel, decided));
+    W near = select(parallel, -infinity<W>, min(low.t, high.t)),
+      far = select(parallel, infinity<W>, max(low.t, high.t));
+    W error = max(low.error, high.error);
+    const index_t<W> base_face(1), top_face(2);
+    return {{exists, certain, near, error, yes, select(upward, base_face, top_face)},
+            {exists, certain, far, error, !yes, select(upward, top_face, base_face)}};
 }
 
 /// What both cylinders record: the normal and uv of the face that was hit.
@@ -172,10 +174,10 @@ struct open_cylinder {
         const auto within = [&](crossing<W> c) {
             W before = c.t - slab.near.t, after = slab.far.t - c.t;
             W before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
-            const mask_t<W> off = before < -before_error || after < -after_error || !slab.near.exists;
-            c.certain =
-                c.certain && slab.near.certain && (off || !c.exists || (before > before_error && after > after_error));
-            c.exists = c.exists && slab.near.exists && before >= W(0) && after >= W(0);
+            const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
+            const mask_t<W> between = every(before > before_error, after > after_error);
+            c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
+            c.exists = every(c.exists, slab.near.exists, before >= -before_error, after >= -after_error);
             return c;
         };
         chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);

@@ -52,17 +52,17 @@ struct sphere {
         vec3<W> d(ray.direction), l = vec3<W>(center) - vec3<W>(ray.origin), moment = cross(l, d);
         W a = dot(d, d), b = dot(l, d), ar2 = a * W(radius) * W(radius), passed2 = dot(moment, moment);
         W s2 = ar2 - passed2;
-        const mask_t<W> exists = s2 >= W(0) && a > W(0) && radius > T(0);
-        // With u the unit roundoff and |l| |d| <= |b| + |l x d|, the error of s2 is below 8 u |l x d| |b| + 14 u (ar2 +
-        // passed2). Twice the product is at most the sum of the squares, however they are weighted: that decides a
-        // miss. A chord that is no shorter than a 32nd of the diameter is decided as well, and has b -+ s right to 2^14
-        // u (|b| + s).
+
+        // With u the unit roundoff and |l| |d| <= |b| + |l x d|, s2 is off by less than 8 u |l x d| |b| + 14 u (ar2 +
+        // passed2), and twice a product is at most the sum of the squares, however they are weighted. If the chord is
+        // no shorter than a 32nd of the diameter, b -+ s is right to 2^14 u (|b| + s).
         constexpr double u = unit_roundoff<W>;
-        const mask_t<W> missed = -s2 > W(0x1p-20) * passed2 + W(0x1p25 * u * u) * (b * b);
-        const mask_t<W> certain = missed || s2 > W(0x1p-10) * ar2;
+        W s2_error = W(0x1p23 * u) * passed2 + W(0x1p-18 * u) * (b * b);
+        const mask_t<W> exists = every(s2 >= -s2_error, a > W(0), radius > T(0));
+        const mask_t<W> certain = some(s2<-s2_error, s2> W(0x1p-10) * ar2);
         if (none(exists)) return {{exists, certain, W(0), W(0), exists}, {exists, certain, W(0), W(0), exists}};
 
-        W s = sqrt(s2), over_a = W(1) / a;
+        W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
         W error = W(0x1p14 * u) * (abs(b) + s) * over_a;
         return {{exists, certain, (b - s) * over_a, error, exists},
                 {exists, certain, (b + s) * over_a, error, !exists}};

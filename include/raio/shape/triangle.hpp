@@ -56,13 +56,13 @@ struct triangle {
         W det_error = k * n1 * d1 * n2, u_error = k * s1 * d1 * n2, v_error = k * s1 * d1 * n1;
         W w_error = det_error + u_error + v_error;
         W zero(0);
-        const mask_t<W> outside = u < -u_error || v < -v_error || w < -w_error;
-        const mask_t<W> inside = u > u_error && v > v_error && w > w_error;
+        const mask_t<W> outside = some(u < -u_error, v < -v_error, w < -w_error);
+        const mask_t<W> inside = every(u > u_error, v > v_error, w > w_error);
 
         W over_det = quotient(sign, det, zero) * sign, height = dot(e2, q), t = height * over_det;
         W error = W(2) * (k * n2 * s1 * n1 + abs(t) * det_error) * abs(over_det);
-        return {.exists = u >= zero && v >= zero && w >= zero && size > zero,
-                .certain = size > W(2) * det_error && (outside || inside),
+        return {.exists = every(u >= -tie(u_error), v >= -tie(v_error), w >= -tie(w_error), size > tie(det_error)),
+                .certain = every(size > W(2) * det_error, some(outside, inside)),
                 .t = t,
                 .error = error,
                 .entering = det > zero};
