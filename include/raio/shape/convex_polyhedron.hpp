@@ -186,7 +186,7 @@ private:
         c.face = face;
 
         const mask_t<W> parallel = !c.exists;
-        c.exists = some(!parallel, height <= height_error);
+        c.exists = some(!parallel, height <= tie(height_error));
         c.certain = every(c.certain, some(!parallel, abs(height) > height_error));
         chord<W> inside{c, c};
         W ahead = select(c.entering, infinity<W>, -infinity<W>);

@@ -41,9 +41,9 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     constexpr double u = unit_roundoff<W>;
     W s2_error = W(0x1p22 * u) * passed2 + d2 * axis2 * (W(0x1p-10 * u) * l2 + W(0x1p6 * u) * r * r);
     const mask_t<W> sound = every(radius > T(0), axis2 > zero, d2 > zero), parallel = a == zero;
-    W beside2 = dot(m, m), inner2 = r * r * axis2;
+    W beside2 = dot(m, m), inner2 = r * r * axis2, beside2_error = W(0x1p8 * u) * (beside2 + l2 * axis2);
     const mask_t<W> exists =
-        every(sound, select(parallel, beside2 <= inner2 + W(0x1p8 * u) * (beside2 + l2 * axis2), s2 >= -s2_error));
+        every(sound, select(parallel, beside2 <= inner2 + tie(beside2_error), s2 >= -tie(s2_error)));
     const mask_t<W> long_chord = every(s2 > W(0x1p-10) * ar2, a > W(0x1p-10) * d2 * axis2);
     const mask_t<W> certain = some(s2 < -s2_error, long_chord);
 
@@ -62,7 +62,8 @@ RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& 
     crossing<W> high = cross_plane(axis, d, above_top.value, above_top.error);
 
     const mask_t<W> parallel = !low.exists, upward = !low.entering, yes = W(0) == W(0);
-    const mask_t<W> between = every(above_base.value >= -above_base.error, above_top.value <= above_top.error);
+    const mask_t<W> between =
+        every(above_base.value >= -tie(above_base.error), above_top.value <= tie(above_top.error));
     const mask_t<W> exists = some(!parallel, between);
     const mask_t<W> decided = every(abs(above_base.value) > above_base.error, abs(above_top.value) > above_top.error);
     const mask_t<W> certain = every(low.certain, high.certain, some(!parallel, decided));
@@ -177,7 +178,7 @@ struct open_cylinder {
             const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
             const mask_t<W> between = every(before > before_error, after > after_error);
             c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
-            c.exists = every(c.exists, slab.near.exists, before >= -before_error, after >= -after_error);
+            c.exists = every(c.exists, slab.near.exists, before >= -tie(before_error), after >= -tie(after_error));
             return c;
         };
         chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);

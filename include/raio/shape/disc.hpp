@@ -55,7 +55,7 @@ struct disc {
         W off = norm1(d) * c.error + W(3 * u) * (norm1(l) + norm1(step));
         W slack = off * (W(2) * norm1(from_center) + off) + W(4 * u) * (r2 + distance2);
         const mask_t<W> beyond = distance2 - r2 > slack;
-        c.exists = every(c.exists, distance2 - r2 <= slack, radius > T(0));
+        c.exists = every(c.exists, distance2 - r2 <= tie(slack), radius > T(0));
         c.certain = every(c.certain, some(beyond, r2 - distance2 > slack));
         return c;
     }

@@ -58,7 +58,7 @@ struct sphere {
         // no shorter than a 32nd of the diameter, b -+ s is right to 2^14 u (|b| + s).
         constexpr double u = unit_roundoff<W>;
         W s2_error = W(0x1p23 * u) * passed2 + W(0x1p-18 * u) * (b * b);
-        const mask_t<W> exists = every(s2 >= -s2_error, a > W(0), radius > T(0));
+        const mask_t<W> exists = every(s2 >= -tie(s2_error), a > W(0), radius > T(0));
         const mask_t<W> certain = some(s2<-s2_error, s2> W(0x1p-10) * ar2);
         if (none(exists)) return {{exists, certain, W(0), W(0), exists}, {exists, certain, W(0), W(0), exists}};
 

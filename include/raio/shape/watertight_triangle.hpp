@@ -58,14 +58,15 @@ struct watertight_triangle {
         // the product of two such distances.
         W k = W(12 * unit_roundoff<W>), np = norm1(p) + norm1(p), nq = norm1(q) + norm1(q), nr = norm1(r) + norm1(r);
         W u_error = k * nr * nq, v_error = k * np * nr, w_error = k * nq * np, det_error = u_error + v_error + w_error;
+        W u_tie = tie(u_error), v_tie = tie(v_error), w_tie = tie(w_error);
         const mask_t<W> inside =
-            some(every(u >= -u_error, v >= -v_error, w >= -w_error), every(u <= u_error, v <= v_error, w <= w_error));
+            some(every(u >= -u_tie, v >= -v_tie, w >= -w_tie), every(u <= u_tie, v <= v_tie, w <= w_tie));
         const mask_t<W> decided = every(abs(u) > u_error, abs(v) > v_error, abs(w) > w_error);
 
         W over_det = quotient(W(1), det, zero), height = u * p.z + v * q.z + w * r.z, t = height * over_det * over_z;
         W height_error = W(2) * (u_error * abs(p.z) + v_error * abs(q.z) + w_error * abs(r.z));
         W error = W(2) * (height_error * abs(over_z) + abs(t) * det_error) * abs(over_det) + k * abs(t);
-        return {.exists = every(inside, abs(det) > det_error, is_finite(direction.z), abs(direction.z) > zero),
+        return {.exists = every(inside, abs(det) > tie(det_error), is_finite(direction.z), abs(direction.z) > zero),
                 .certain = every(decided, some(!inside, abs(det) > W(2) * det_error)),
                 .t = t,
                 .error = error,
