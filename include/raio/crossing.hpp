@@ -17,11 +17,11 @@ namespace raio {
 /// What a comparison has to forgive. The last of several precisions takes what it cannot tell from a tie for one:
 /// edges, rims and tangents belong to the shape. A number type that stands alone compares what it has computed.
 template <real W>
-RAIO_FN constexpr W tie(const W& error) {
+RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error) {
     if constexpr (std::same_as<W, double_double>) {
         return error;
     } else {
-        return W(0);
+        return bound_t<W>(0);
     }
 }
 
@@ -31,13 +31,13 @@ struct crossing {
     mask_t<W> exists;      ///< does the line cross the surface?
     mask_t<W> certain;     ///< is `exists` right whatever the rounding errors were?
     W t;                   ///< ray parameter
-    W error;               ///< bound of |t - exact t|
+    bound_t<W> error;      ///< bound of |t - exact t|
     mask_t<W> entering;    ///< does the line come from the outside here?
     index_t<W> face = {};  ///< which face of the shape, as the shape counts them
 
     template <class V>
     RAIO_FN constexpr explicit operator crossing<V>() const {
-        return {exists, certain, V(t), V(error), entering, face};
+        return {exists, certain, V(t), bound_t<V>(error), entering, face};
     }
 };
 
@@ -58,8 +58,22 @@ RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const cros
 template <real W>
 RAIO_FN constexpr chord<W> everywhere() {
     const mask_t<W> yes = W(0) == W(0);
-    return {{yes, yes, -infinity<W>, W(0), yes}, {yes, yes, infinity<W>, W(0), !yes}};
+    const bound_t<W> none(0);
+    return {{yes, yes, -infinity<W>, none, yes}, {yes, yes, infinity<W>, none, !yes}};
 }
+
+namespace detail {
+
+/// far - near, which may both be infinite: a double_double's errors would make a NaN of that.
+template <real W>
+RAIO_FN constexpr W gap(const W& near, const W& far) {
+    if constexpr (std::same_as<W, double_double>) {
+        if (!is_finite(near) || !is_finite(far)) return near <= far ? infinity<W> : -infinity<W>;
+    }
+    return far - near;
+}
+
+}  // namespace detail
 
 /// The chord of the points that two convex solids share: from where the line has entered both to where it leaves the
 /// first. Of two faces that are crossed at the same t, that of `a` is named.
@@ -74,10 +88,11 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     both.near.error = max(a.near.error, b.near.error);
     both.far.error = max(a.far.error, b.far.error);
 
-    W gap = both.far.t - both.near.t, slack = both.near.error + both.far.error;
+    W gap = detail::gap(both.near.t, both.far.t);
+    bound_t<W> slack = both.near.error + both.far.error;
     const mask_t<W> missed = some(every(a.near.certain, !a.near.exists), every(b.near.certain, !b.near.exists));
     const mask_t<W> decided = every(a.near.certain, b.near.certain, abs(gap) > slack);
-    both.near.exists = both.far.exists = every(a.near.exists, b.near.exists, gap >= -tie(slack));
+    both.near.exists = both.far.exists = every(a.near.exists, b.near.exists, gap >= -tie<W>(slack));
     both.near.certain = both.far.certain = some(missed, decided);
     return both;
 }
@@ -179,7 +194,7 @@ RAIO_FN constexpr void record_point(const ray<T>& ray, const crossing<W>& c, hit
     // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
     // rounding of the point to T. The smallest normal number stands for all that underflows.
     constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>;
-    const T least(std::numeric_limits<scalar_t<T>>::min()), of_t = T(c.error + W(least));
+    const T least(std::numeric_limits<scalar_t<T>>::min()), of_t = T(c.error + bound_t<W>(least));
     rec.error =
         (abs(ray.direction) * of_t + abs(ray.origin) * T(in_w) + abs(rec.point) * T(in_t + in_w)) * T(1 + 4 * in_t) +
         vec3<T>(least);

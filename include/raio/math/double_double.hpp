@@ -27,7 +27,6 @@ public:
 
     RAIO_FN friend constexpr double_double operator+(double_double a, double_double b) {
         const double_double sum = exact_sum(a.high_, b.high_);
-        if (!raio::is_finite(sum.high_)) return sum.high_;  // its error would be a NaN
         return renormalized(sum.high_, sum.low_ + (a.low_ + b.low_));
     }
     RAIO_FN friend constexpr double_double operator-(double_double a, double_double b) { return a + -b; }
@@ -116,6 +115,16 @@ private:
     }
 
     double high_, low_;
+};
+
+template <>
+struct real_traits<double_double> {
+    using scalar = double_double;
+    using mask = bool;
+    using index = std::uint32_t;
+    using quick = double_double;
+    using exact = double_double;
+    using bound = strict_double;
 };
 
 }  // namespace raio

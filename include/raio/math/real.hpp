@@ -26,9 +26,9 @@ struct real_traits {
     using scalar = T;             ///< the number in one lane
     using mask = bool;            ///< what a comparison answers
     using index = std::uint32_t;  ///< what counts the members of an aggregate
-    using working = T;            ///< the precision that formulas are computed in
-    using quick = T;              ///< the precision in which they are tried first
+    using quick = T;              ///< the precision that formulas are tried in first
     using exact = T;              ///< the precision that settles what the first one left open
+    using bound = T;              ///< what is good enough to bound the errors of T with
 };
 
 /// A product of two floats is exact in double: formulas are computed there and rounded to float once.
@@ -37,9 +37,9 @@ struct real_traits<float> {
     using scalar = float;
     using mask = bool;
     using index = std::uint32_t;
-    using working = strict_double;
     using quick = strict_double;
     using exact = double_double;
+    using bound = float;
 };
 
 /// Nothing in the hardware is wider than double: formulas are computed with two of them.
@@ -48,9 +48,9 @@ struct real_traits<double> {
     using scalar = double;
     using mask = bool;
     using index = std::uint32_t;
-    using working = double_double;
     using quick = strict_double;
     using exact = double_double;
+    using bound = double;
 };
 
 template <class T>
@@ -60,11 +60,11 @@ using mask_t = typename real_traits<T>::mask;
 template <class T>
 using index_t = typename real_traits<T>::index;
 template <class T>
-using working_t = typename real_traits<T>::working;
-template <class T>
 using quick_t = typename real_traits<T>::quick;
 template <class T>
 using exact_t = typename real_traits<T>::exact;
+template <class T>
+using bound_t = typename real_traits<T>::bound;
 
 /// `if_true` where the mask is set, `if_false` elsewhere; a pack chooses lane by lane.
 template <std::same_as<bool> Mask, class T>

@@ -53,13 +53,14 @@ struct box {
 
     template <class W>
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
+        using E = bound_t<W>;
         auto slab = [&](glm::length_t axis) {
             W o(ray.origin[axis]), d(ray.direction[axis]), low(min[axis]), high(max[axis]), zero(0);
             const mask_t<W> parallel = d == zero, forward = d > zero, yes = some(parallel, !parallel);
             W over_d = quotient(W(1), d, zero), to_low = (low - o) * over_d, to_high = (high - o) * over_d;
             W near = select(parallel, -infinity<W>, raio::min(to_low, to_high));
             W far = select(parallel, infinity<W>, raio::max(to_low, to_high));
-            W error = select(parallel, zero, W(4 * unit_roundoff<W>) * raio::max(abs(to_low), abs(to_high)));
+            E error = select(parallel, E(0), E(4 * unit_roundoff<W>) * raio::max(abs(E(to_low)), abs(E(to_high))));
             const index_t<W> low_face = index_t<W>(2 * axis), high_face = index_t<W>(2 * axis + 1);
             const mask_t<W> exists =
                 every(low <= high, near <= far, is_finite(d), some(!parallel, every(low <= o, o <= high)));

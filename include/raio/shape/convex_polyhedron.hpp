@@ -179,14 +179,16 @@ private:
     template <class W>
     RAIO_FN static constexpr chord<W> behind(const half_space<T>& plane, const vec3<W>& origin,
                                              const vec3<W>& direction, index_t<W> face) {
+        using E = bound_t<W>;
         vec3<W> n(plane.normal);
         W height = dot(n, origin) + W(plane.offset);
-        W height_error = W(5 * unit_roundoff<W>) * (dot(abs(n), abs(origin)) + abs(W(plane.offset)));
+        E sizes = dot(abs(vec3<E>(n)), abs(vec3<E>(origin))) + abs(E(plane.offset));
+        E height_error = E(5 * unit_roundoff<W>) * sizes;
         crossing<W> c = cross_plane(n, direction, height, height_error);
         c.face = face;
 
         const mask_t<W> parallel = !c.exists;
-        c.exists = some(!parallel, height <= tie(height_error));
+        c.exists = some(!parallel, height <= tie<W>(height_error));
         c.certain = every(c.certain, some(!parallel, abs(height) > height_error));
         chord<W> inside{c, c};
         W ahead = select(c.entering, infinity<W>, -infinity<W>);

@@ -29,9 +29,10 @@ namespace detail {
 template <class W, real T>
 RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec3<T>& top, T radius,
                                                   const ray<T>& ray) {
+    using E = bound_t<W>;
     vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base), l = vec3<W>(base) - vec3<W>(ray.origin);
     vec3<W> n = cross(d, axis), m = cross(l, axis);
-    W r(radius), a = dot(n, n), b = dot(m, n), axis2 = dot(axis, axis), d2 = dot(d, d), l2 = dot(l, l), zero(0);
+    W r(radius), a = dot(n, n), b = dot(m, n), axis2 = dot(axis, axis), d2 = dot(d, d), zero(0);
     W passed = dot(axis, cross(l, d)), ar2 = a * r * r, passed2 = passed * passed, s2 = ar2 - passed2;
 
     // The errors, with u the unit roundoff: |n| is off by 8 u |d| |A| at most, `passed` by 16 u |A| |l| |d|. Twice a
@@ -39,16 +40,19 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     // between the lines is above 2 degrees (the sine's square above 2^-10) and the chord above a 32nd of the diameter
     // (s2 > 2^-10 ar2), the errors grow to less than 2^20 u (|l| + r) / |d| in t.
     constexpr double u = unit_roundoff<W>;
-    W s2_error = W(0x1p22 * u) * passed2 + d2 * axis2 * (W(0x1p-10 * u) * l2 + W(0x1p6 * u) * r * r);
+    E extent2 = E(d2) * E(axis2), l2(dot(l, l)), r2 = E(r) * E(r);
+    E s2_error = E(0x1p22 * u) * E(passed2) + extent2 * (E(0x1p-10 * u) * l2 + E(0x1p6 * u) * r2);
+    W beside2 = dot(m, m), inner2 = r * r * axis2;
+    E beside2_error = E(0x1p8 * u) * (E(beside2) + l2 * E(axis2));
     const mask_t<W> sound = every(radius > T(0), axis2 > zero, d2 > zero), parallel = a == zero;
-    W beside2 = dot(m, m), inner2 = r * r * axis2, beside2_error = W(0x1p8 * u) * (beside2 + l2 * axis2);
     const mask_t<W> exists =
-        every(sound, select(parallel, beside2 <= inner2 + tie(beside2_error), s2 >= -tie(s2_error)));
-    const mask_t<W> long_chord = every(s2 > W(0x1p-10) * ar2, a > W(0x1p-10) * d2 * axis2);
+        every(sound, select(parallel, beside2 - inner2 <= tie<W>(beside2_error), s2 >= -tie<W>(s2_error)));
+    const mask_t<W> long_chord = every(s2 > W(0x1p-10) * ar2, E(a) > E(0x1p-10) * extent2);
     const mask_t<W> certain = some(s2 < -s2_error, long_chord);
 
     W s = sqrt(axis2 * max(s2, zero)), over_a = quotient(W(1), a, zero);
-    W error = select(parallel, zero, W(0x1p21 * u) * quotient(norm1(l) + r, norm1(d), zero));
+    E reach = quotient(norm1(vec3<E>(l)) + E(r), norm1(vec3<E>(d)), E(0));
+    E error = select(parallel, E(0), E(0x1p21 * u) * reach);
     return {{exists, certain, select(parallel, -infinity<W>, (b - s) * over_a), error, exists},
             {exists, certain, select(parallel, infinity<W>, (b + s) * over_a), error, !exists}};
 }
@@ -63,13 +67,13 @@ RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& 
 
     const mask_t<W> parallel = !low.exists, upward = !low.entering, yes = W(0) == W(0);
     const mask_t<W> between =
-        every(above_base.value >= -tie(above_base.error), above_top.value <= tie(above_top.error));
+        every(above_base.value >= -tie<W>(above_base.error), above_top.value <= tie<W>(above_top.error));
     const mask_t<W> exists = some(!parallel, between);
     const mask_t<W> decided = every(abs(above_base.value) > above_base.error, abs(above_top.value) > above_top.error);
     const mask_t<W> certain = every(low.certain, high.certain, some(!parallel, decided));
-    W near = select(parallel, -infinity<W>, min(low.t, high.t)),
-      far = select(parallel, infinity<W>, max(low.t, high.t));
-    W error = max(low.error, high.error);
+    W near = select(parallel, -infinity<W>, min(low.t, high.t));
+    W far = select(parallel, infinity<W>, max(low.t, high.t));
+    bound_t<W> error = max(low.error, high.error);
     const index_t<W> base_face(1), top_face(2);
     return {{exists, certain, near, error, yes, select(upward, base_face, top_face)},
             {exists, certain, far, error, !yes, select(upward, top_face, base_face)}};
@@ -173,12 +177,13 @@ struct open_cylinder {
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
         chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         const auto within = [&](crossing<W> c) {
-            W before = c.t - slab.near.t, after = slab.far.t - c.t;
-            W before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
+            W before = detail::gap(slab.near.t, c.t), after = detail::gap(c.t, slab.far.t);
+            bound_t<W> before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
             const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
             const mask_t<W> between = every(before > before_error, after > after_error);
             c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
-            c.exists = every(c.exists, slab.near.exists, before >= -tie(before_error), after >= -tie(after_error));
+            c.exists =
+                every(c.exists, slab.near.exists, before >= -tie<W>(before_error), after >= -tie<W>(after_error));
             return c;
         };
         chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);

@@ -44,19 +44,18 @@ struct disc {
 
     template <class W>
     RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
+        using E = bound_t<W>;
         constexpr double u = unit_roundoff<W>;
-        W r(radius);
         vec3<W> n(normal), d(ray.direction), l = vec3<W>(ray.origin) - vec3<W>(center);
         auto height = height_above<W>(n, center, ray.origin);
         crossing<W> c = cross_plane(n, d, height.value, height.error);
 
         vec3<W> step = d * c.t, from_center = l + step;
-        W r2 = r * r, distance2 = dot(from_center, from_center);
-        W off = norm1(d) * c.error + W(3 * u) * (norm1(l) + norm1(step));
-        W slack = off * (W(2) * norm1(from_center) + off) + W(4 * u) * (r2 + distance2);
-        const mask_t<W> beyond = distance2 - r2 > slack;
-        c.exists = every(c.exists, distance2 - r2 <= tie(slack), radius > T(0));
-        c.certain = every(c.certain, some(beyond, r2 - distance2 > slack));
+        W r2 = W(radius) * W(radius), inner = r2 - dot(from_center, from_center);
+        E off = norm1(vec3<E>(d)) * c.error + E(3 * u) * (norm1(vec3<E>(l)) + norm1(vec3<E>(step)));
+        E slack = off * (E(2) * norm1(vec3<E>(from_center)) + off) + E(8 * u) * E(r2);
+        c.exists = every(c.exists, inner >= -tie<W>(slack), radius > T(0));
+        c.certain = every(c.certain, abs(inner) > slack);
         return c;
     }
 

@@ -49,6 +49,7 @@ struct sphere {
 
     template <class W>
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
+        using E = bound_t<W>;
         vec3<W> d(ray.direction), l = vec3<W>(center) - vec3<W>(ray.origin), moment = cross(l, d);
         W a = dot(d, d), b = dot(l, d), ar2 = a * W(radius) * W(radius), passed2 = dot(moment, moment);
         W s2 = ar2 - passed2;
@@ -57,13 +58,13 @@ struct sphere {
         // passed2), and twice a product is at most the sum of the squares, however they are weighted. If the chord is
         // no shorter than a 32nd of the diameter, b -+ s is right to 2^14 u (|b| + s).
         constexpr double u = unit_roundoff<W>;
-        W s2_error = W(0x1p23 * u) * passed2 + W(0x1p-18 * u) * (b * b);
-        const mask_t<W> exists = every(s2 >= -tie(s2_error), a > W(0), radius > T(0));
+        E s2_error = E(0x1p23 * u) * E(passed2) + E(0x1p-18 * u) * (E(b) * E(b));
+        const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), a > W(0), radius > T(0));
         const mask_t<W> certain = some(s2<-s2_error, s2> W(0x1p-10) * ar2);
-        if (none(exists)) return {{exists, certain, W(0), W(0), exists}, {exists, certain, W(0), W(0), exists}};
+        if (none(exists)) return {{exists, certain, W(0), E(0), exists}, {exists, certain, W(0), E(0), exists}};
 
         W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
-        W error = W(0x1p14 * u) * (abs(b) + s) * over_a;
+        E error = E(0x1p14 * u) * (abs(E(b)) + E(s)) * E(over_a);
         return {{exists, certain, (b - s) * over_a, error, exists},
                 {exists, certain, (b + s) * over_a, error, !exists}};
     }

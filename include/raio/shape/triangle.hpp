@@ -43,6 +43,7 @@ struct triangle {
 
     template <class W>
     RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
+        using E = bound_t<W>;
         vec3<W> direction(ray.direction), corner(a);
         vec3<W> e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner, s = vec3<W>(ray.origin) - corner;
         vec3<W> p = cross(direction, e2), q = cross(s, e1);
@@ -51,32 +52,34 @@ struct triangle {
 
         // A triple product of vectors that are off by a rounding each is off by less than 8 roundings of their lengths'
         // product.
-        W k = W(8 * unit_roundoff<W>);
-        W d1 = norm1(direction), s1 = norm1(s), n1 = norm1(e1), n2 = norm1(e2);
-        W det_error = k * n1 * d1 * n2, u_error = k * s1 * d1 * n2, v_error = k * s1 * d1 * n1;
-        W w_error = det_error + u_error + v_error;
-        W zero(0);
+        E k = E(8 * unit_roundoff<W>), d1 = norm1(vec3<E>(direction)), s1 = norm1(vec3<E>(s));
+        E n1 = norm1(vec3<E>(e1)), n2 = norm1(vec3<E>(e2));
+        E det_error = k * n1 * d1 * n2, u_error = k * s1 * d1 * n2, v_error = k * s1 * d1 * n1;
+        E w_error = det_error + u_error + v_error;
         const mask_t<W> outside = some(u < -u_error, v < -v_error, w < -w_error);
         const mask_t<W> inside = every(u > u_error, v > v_error, w > w_error);
 
-        W over_det = quotient(sign, det, zero) * sign, height = dot(e2, q), t = height * over_det;
-        W error = W(2) * (k * n2 * s1 * n1 + abs(t) * det_error) * abs(over_det);
-        return {.exists = every(u >= -tie(u_error), v >= -tie(v_error), w >= -tie(w_error), size > tie(det_error)),
-                .certain = every(size > W(2) * det_error, some(outside, inside)),
+        W over_det = quotient(W(1), det, W(0)), t = dot(e2, q) * over_det;
+        E error = E(2) * (k * n2 * s1 * n1 + abs(E(t)) * det_error) * abs(E(over_det));
+        return {.exists = every(u >= -tie<W>(u_error), v >= -tie<W>(v_error), w >= -tie<W>(w_error),
+                                size > tie<W>(det_error)),
+                .certain = every(size > E(2) * det_error, some(outside, inside)),
                 .t = t,
                 .error = error,
-                .entering = det > zero};
+                .entering = det > W(0)};
     }
 
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& at, hit_record<T>& rec) const {
-        vec3<W> corner(a), e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner, across = cross(e1, e2);
-        vec3<W> p = (vec3<W>(ray.origin) - corner) + vec3<W>(ray.direction) * at.t;
-        vec3<T> outward(normalize(vec3<quick_t<T>>(across)));
+        using Q = quick_t<T>;
+        vec3<W> corner(a), edge1 = vec3<W>(b) - corner, edge2 = vec3<W>(c) - corner;
+        vec3<Q> across(cross(edge1, edge2)), e1(edge1), e2(edge2);
+        vec3<Q> p((vec3<W>(ray.origin) - corner) + vec3<W>(ray.direction) * at.t);
+        vec3<T> outward(normalize(across));
         record_point(ray, at, rec);
         rec.normal = outward * select(at.entering, T(1), T(-1));
         // The areas of the triangles that the point makes with two of the corners, over the area of the whole.
-        W over_area2 = W(1) / dot(across, across);
+        Q over_area2 = Q(1) / dot(across, across);
         const T u = max(T(0), min(T(1), T(dot(cross(p, e2), across) * over_area2)));
         rec.uv = {u, max(T(0), min(T(1) - u, T(dot(cross(e1, p), across) * over_area2)))};
     }

@@ -43,6 +43,7 @@ struct watertight_triangle {
                            W(select(last_is_x, v.z, select(last_is_y, v.x, v.y))),
                            W(select(last_is_x, v.x, select(last_is_y, v.y, v.z))));
         };
+        using E = bound_t<W>;
         W zero(0);
         vec3<W> direction = turned(ray.direction), origin = turned(ray.origin);
         W over_z = quotient(W(1), direction.z, zero), shear_x = direction.x * over_z, shear_y = direction.y * over_z;
@@ -56,18 +57,20 @@ struct watertight_triangle {
 
         // A sheared corner is off by 5 roundings of its distance from the origin at most, an edge function by twelve of
         // the product of two such distances.
-        W k = W(12 * unit_roundoff<W>), np = norm1(p) + norm1(p), nq = norm1(q) + norm1(q), nr = norm1(r) + norm1(r);
-        W u_error = k * nr * nq, v_error = k * np * nr, w_error = k * nq * np, det_error = u_error + v_error + w_error;
-        W u_tie = tie(u_error), v_tie = tie(v_error), w_tie = tie(w_error);
+        E k = E(12 * unit_roundoff<W>), two(2), np = two * norm1(vec3<E>(p)), nq = two * norm1(vec3<E>(q)),
+          nr = two * norm1(vec3<E>(r));
+        E u_error = k * nr * nq, v_error = k * np * nr, w_error = k * nq * np, det_error = u_error + v_error + w_error;
+        E u_tie = tie<W>(u_error), v_tie = tie<W>(v_error), w_tie = tie<W>(w_error);
         const mask_t<W> inside =
             some(every(u >= -u_tie, v >= -v_tie, w >= -w_tie), every(u <= u_tie, v <= v_tie, w <= w_tie));
         const mask_t<W> decided = every(abs(u) > u_error, abs(v) > v_error, abs(w) > w_error);
 
         W over_det = quotient(W(1), det, zero), height = u * p.z + v * q.z + w * r.z, t = height * over_det * over_z;
-        W height_error = W(2) * (u_error * abs(p.z) + v_error * abs(q.z) + w_error * abs(r.z));
-        W error = W(2) * (height_error * abs(over_z) + abs(t) * det_error) * abs(over_det) + k * abs(t);
-        return {.exists = every(inside, abs(det) > tie(det_error), is_finite(direction.z), abs(direction.z) > zero),
-                .certain = every(decided, some(!inside, abs(det) > W(2) * det_error)),
+        E height_error = two * (u_error * abs(E(p.z)) + v_error * abs(E(q.z)) + w_error * abs(E(r.z)));
+        E error = two * (height_error * abs(E(over_z)) + abs(E(t)) * det_error) * abs(E(over_det)) + k * abs(E(t));
+        const mask_t<W> runs = every(is_finite(direction.z), abs(direction.z) > zero);
+        return {.exists = every(inside, abs(det) > tie<W>(det_error), runs),
+                .certain = every(decided, some(!inside, abs(det) > two * det_error)),
                 .t = t,
                 .error = error,
                 .entering = (det > zero) == (direction.z > zero)};
