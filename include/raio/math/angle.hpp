@@ -1,6 +1,5 @@
 #pragma once
 
-#include <initializer_list>
 #include <numbers>
 
 #include <raio/math/real.hpp>
@@ -21,16 +20,14 @@ namespace detail {
 template <real T>
 RAIO_FN constexpr T quadrant_turns(const T& y, const T& x) {
     if constexpr (std::same_as<scalar_t<T>, float>) {
-        // atan(q) / (2 pi q) for q in [0, 1] as a polynomial in q^2, the largest error as small as it can be: 1e-9 of a
-        // turn.
-        const T q = quotient(min(x, y), max(x, y), T(0)), q2 = q * q;
-        T sum(0.000390998979f);
-        for (const float c : {-0.00229204350f, 0.00633137172f, -0.0115146270f, 0.0167095885f, -0.0225382954f,
-                              0.0318085584f, -0.0530504758f, 0.159154925f}) {
-            sum = sum * q2 + T(c);
-        }
+        // atan(q) / (2 pi q) for q in [0, 1] as a polynomial in q^2 whose largest error is as small as it can be, 6e-9
+        // of a turn. Evaluated in pairs (Estrin 1960): a chain of eight steps would take twice as long.
+        T q = quotient(min(x, y), max(x, y), T(0)), q2 = q * q, q4 = q2 * q2, q8 = q4 * q4;
+        T low = (T(0.159154837f) + T(-0.0530461210f) * q2) + (T(0.0317459454f) + T(-0.0221362721f) * q2) * q4;
+        T high = (T(0.0153460353f) + T(-0.00889872527f) * q2) + (T(0.00347959913f) + T(-0.000645304744f) * q2) * q4;
+        T turn = q * (low + high * q8);
         const T flat = copysign(T(1), x - y);
-        return flat * (sum * q) + (T(0.125f) - flat * T(0.125f));
+        return flat * turn + (T(0.125f) - flat * T(0.125f));
     } else {
         return atan2(y, x) * T(0.5 / std::numbers::pi);
     }

@@ -71,13 +71,13 @@ struct sphere {
 
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        using Q = quick_t<T>;
         vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
-        vec3<T> outward(normalize(vec3<Q>(from_center)));
+        vec3<T> outward(normalize(vec3<quick_t<T>>(from_center)));
         record_point(ray, c, rec);
         rec.normal = outward * select(c.entering, T(1), T(-1));
-        rec.uv = {turns(-outward.z, outward.x),
-                  latitude(outward.y, sqrt(outward.x * outward.x + outward.z * outward.z))};
+        // Angles do not ask for unit length: they need not wait for the root.
+        vec3<T> scaled = vec3<T>(from_center) * (T(1) / radius);
+        rec.uv = {turns(-scaled.z, scaled.x), latitude(scaled.y, sqrt(scaled.x * scaled.x + scaled.z * scaled.z))};
     }
 };
 
