@@ -79,20 +79,26 @@ RAIO_FN constexpr W gap(const W& near, const W& far) {
 /// first. Of two faces that are crossed at the same t, that of `a` is named.
 template <real W>
 RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
+    using E = bound_t<W>;
+    const mask_t<W> b_enters_later = a.near.t < b.near.t, b_leaves_first = b.far.t < a.far.t;
+    // The crossing that was passed over counts as far as its error reaches beyond the chosen one.
+    const auto error = [](const mask_t<W>& second, const crossing<W>& x, const crossing<W>& y) {
+        E apart = abs(E(detail::gap(x.t, y.t)));
+        return max(select(second, y.error, x.error), select(second, x.error, y.error) - apart);
+    };
     chord<W> both = a;
     both.near.t = max(a.near.t, b.near.t);
-    both.near.face = select(a.near.t < b.near.t, b.near.face, a.near.face);
+    both.near.error = error(b_enters_later, a.near, b.near);
+    both.near.face = select(b_enters_later, b.near.face, a.near.face);
     both.far.t = min(a.far.t, b.far.t);
-    both.far.face = select(b.far.t < a.far.t, b.far.face, a.far.face);
-    // The larger of two numbers is off by no more than the one that is off more.
-    both.near.error = max(a.near.error, b.near.error);
-    both.far.error = max(a.far.error, b.far.error);
+    both.far.error = error(b_leaves_first, a.far, b.far);
+    both.far.face = select(b_leaves_first, b.far.face, a.far.face);
 
-    W gap = detail::gap(both.near.t, both.far.t);
-    bound_t<W> slack = both.near.error + both.far.error;
+    W inside = detail::gap(both.near.t, both.far.t);
+    E slack = both.near.error + both.far.error;
     const mask_t<W> missed = some(every(a.near.certain, !a.near.exists), every(b.near.certain, !b.near.exists));
-    const mask_t<W> decided = every(a.near.certain, b.near.certain, abs(gap) > slack);
-    both.near.exists = both.far.exists = every(a.near.exists, b.near.exists, gap >= -tie<W>(slack));
+    const mask_t<W> decided = every(a.near.certain, b.near.certain, abs(inside) > slack);
+    both.near.exists = both.far.exists = every(a.near.exists, b.near.exists, inside >= -tie<W>(slack));
     both.near.certain = both.far.certain = some(missed, decided);
     return both;
 }
@@ -186,18 +192,31 @@ RAIO_FN constexpr interval<T> inside_of(const Shape& shape, const ray<T>& ray) {
     return {select(c.near.exists, T(c.near.t), infinity<T>), select(c.far.exists, T(c.far.t), -infinity<T>)};
 }
 
-/// Records what every surface records alike: t, the point, how far that may be off, and the side.
+/// Keeps only crossings whose point T can say: those of a shape without end may lie beyond its largest number.
 template <real T, class W>
-RAIO_FN constexpr void record_point(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) {
+RAIO_FN constexpr void keep_if_reachable(const ray<T>& ray, crossing<W>& c) {
+    vec3<bound_t<W>> origin(vec3<W>(ray.origin)), direction(vec3<W>(ray.direction));
+    bound_t<W> farthest = norm1(origin) + norm1(direction) * abs(bound_t<W>(c.t));
+    c.exists = every(c.exists, farthest < bound_t<W>(std::numeric_limits<scalar_t<T>>::max()));
+}
+
+/// Records what every surface records alike: t, the point, how far that may be off, and the side.
+/// \param bend  the smallest radius at which the surface curves; 0 if it is flat
+template <real T, class W>
+RAIO_FN constexpr void record_point(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec, T bend = T(0)) {
     rec.t = T(c.t);
     rec.point = vec3<T>(vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t);
     // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
     // rounding of the point to T. The smallest normal number stands for all that underflows.
     constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>;
-    const T least(std::numeric_limits<scalar_t<T>>::min()), of_t = T(c.error + bound_t<W>(least));
+    // The normal is rounded too: seen from a point on the surface itself, a ray that leaves at the angle of that error
+    // would meet the surface again. It rises from its tangent plane by half the square of an angle; this is eight times
+    // as much.
+    const T rise = bend * T(4 * in_t * in_t + 0x1p-96);
+    const T least(least_normal<T>), of_t = T(c.error + bound_t<W>(least));
     rec.error =
         (abs(ray.direction) * of_t + abs(ray.origin) * T(in_w) + abs(rec.point) * T(in_t + in_w)) * T(1 + 4 * in_t) +
-        vec3<T>(least);
+        vec3<T>(least + rise);
     rec.index = index_t<T>{};
     rec.front_face = c.entering;
 }

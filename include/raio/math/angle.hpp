@@ -51,4 +51,11 @@ RAIO_FN constexpr T latitude(const T& y, const T& rho) {
     return T(0.5) + copysign(T(2) * detail::quadrant_turns(abs(y), rho), y);
 }
 
+/// What is left of x without its whole part: in [0, 1), and 0 for what has no fraction.
+template <real T>
+RAIO_FN constexpr T fraction(const T& x) {
+    const T rest = x - floor(x);
+    return select(rest < T(1), rest, T(0));
+}
+
 }  // namespace raio

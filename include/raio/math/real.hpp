@@ -176,6 +176,11 @@ inline constexpr double unit_roundoff = [] {
     return u;
 }();
 
+/// The smallest number with all its digits: what is below has lost some. The same for every number type of the same
+/// hardware.
+template <class T>
+inline constexpr double least_normal = std::same_as<scalar_t<T>, float> ? 0x1p-126 : 0x1p-1022;
+
 /// Is the number neither infinite nor NaN?
 template <real T>
 RAIO_FN constexpr mask_t<T> is_finite(const T& x) {

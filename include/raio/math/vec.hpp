@@ -43,9 +43,14 @@ RAIO_FN constexpr T length(const vec3<T>& a) {
     return sqrt(dot(a, a));
 }
 
+/// The unit vector in the direction of `a`, of whatever length but zero: one whose square is out of range is scaled
+/// first.
 template <real T>
 RAIO_FN constexpr vec3<T> normalize(const vec3<T>& a) {
-    return a * (T(1) / length(a));
+    constexpr double large = std::same_as<scalar_t<T>, float> ? 0x1p60 : 0x1p500, small = 1.0 / large;
+    T size = norm1(a), scale = select(size > T(large), T(small), select(size < T(small), T(large), T(1)));
+    vec3<T> b = a * scale;
+    return b * (T(1) / length(b));
 }
 
 template <class Mask, class T>

@@ -60,12 +60,13 @@ struct box {
             W over_d = quotient(W(1), d, zero), to_low = (low - o) * over_d, to_high = (high - o) * over_d;
             W near = select(parallel, -infinity<W>, raio::min(to_low, to_high));
             W far = select(parallel, infinity<W>, raio::max(to_low, to_high));
-            E error = select(parallel, E(0), E(4 * unit_roundoff<W>) * raio::max(abs(E(to_low)), abs(E(to_high))));
+            E k(4 * unit_roundoff<W>), near_error = select(parallel, E(0), k * abs(E(near)));
+            E far_error = select(parallel, E(0), k * abs(E(far)));
             const index_t<W> low_face = index_t<W>(2 * axis), high_face = index_t<W>(2 * axis + 1);
-            const mask_t<W> exists =
-                every(low <= high, near <= far, is_finite(d), some(!parallel, every(low <= o, o <= high)));
-            return chord<W>{{exists, yes, near, error, yes, select(forward, low_face, high_face)},
-                            {exists, yes, far, error, !yes, select(forward, high_face, low_face)}};
+            const mask_t<W> exists = every(low <= high, near <= far, is_finite(d), is_finite(low), is_finite(high),
+                                           some(!parallel, every(low <= o, o <= high)));
+            return chord<W>{{exists, yes, near, near_error, yes, select(forward, low_face, high_face)},
+                            {exists, yes, far, far_error, !yes, select(forward, high_face, low_face)}};
         };
         chord<W> c = intersect(intersect(slab(0), slab(1)), slab(2));
         const mask_t<T> x = min.x < max.x, y = min.y < max.y, z = min.z < max.z;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <raio/concepts.hpp>
+#include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
 #include <raio/plane_crossing.hpp>
 
@@ -50,7 +52,7 @@ struct convex_polyhedron {
             for (std::size_t j = 0; j < i; ++j) {
                 const auto [point, direction, s] = edge(i, j);
                 if (s.empty()) continue;
-                for (const auto& end : {s.min, s.max}) {
+                for (const auto& end : std::array{s.min, s.max}) {
                     const bool finite = is_finite(end);
                     has_vertex = has_vertex || finite;
                     box = hull(box, finite ? vec3<T>(point + direction * end) : horizon(point, direction, end));
@@ -79,6 +81,8 @@ struct convex_polyhedron {
             if (all(c.near.certain && !c.near.exists)) break;
             face = face + index_t<W>(1);
         }
+        keep_if_reachable(ray, c.near);
+        keep_if_reachable(ray, c.far);
         return c;
     }
 
@@ -88,7 +92,7 @@ struct convex_polyhedron {
         record_point(ray, c, rec);
         rec.normal = outward * select(c.entering, T(1), T(-1));
         vec3<T> local = frame_about(outward).to_local(rec.point);
-        rec.uv = {local.x - floor(local.x), local.y - floor(local.y)};
+        rec.uv = {fraction(local.x), fraction(local.y)};
     }
 
 private:
@@ -188,7 +192,7 @@ private:
         c.face = face;
 
         const mask_t<W> parallel = !c.exists;
-        c.exists = some(!parallel, height <= tie<W>(height_error));
+        c.exists = every(some(!parallel, height <= tie<W>(height_error)), is_finite(height));
         c.certain = every(c.certain, some(!parallel, abs(height) > height_error));
         chord<W> inside{c, c};
         W ahead = select(c.entering, infinity<W>, -infinity<W>);

@@ -39,15 +39,16 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     // product is at most the sum of the squares, however they are weighted: that bounds the error of s2. If the angle
     // between the lines is above 2 degrees (the sine's square above 2^-10) and the chord above a 32nd of the diameter
     // (s2 > 2^-10 ar2), the errors grow to less than 2^20 u (|l| + r) / |d| in t.
-    constexpr double u = unit_roundoff<W>;
+    constexpr double u = unit_roundoff<W>, least = least_normal<W>;
     E extent2 = E(d2) * E(axis2), l2(dot(l, l)), r2 = E(r) * E(r);
     E s2_error = E(0x1p22 * u) * E(passed2) + extent2 * (E(0x1p-10 * u) * l2 + E(0x1p6 * u) * r2);
     W beside2 = dot(m, m), inner2 = r * r * axis2;
     E beside2_error = E(0x1p8 * u) * (E(beside2) + l2 * E(axis2));
-    const mask_t<W> sound = every(radius > T(0), axis2 > zero, d2 > zero), parallel = a == zero;
+    const mask_t<W> sound = every(radius > T(0), r2 >= E(least), axis2 >= W(least), d2 >= W(least)),
+                    parallel = a == zero;
     const mask_t<W> exists =
         every(sound, select(parallel, beside2 - inner2 <= tie<W>(beside2_error), s2 >= -tie<W>(s2_error)));
-    const mask_t<W> long_chord = every(s2 > W(0x1p-10) * ar2, E(a) > E(0x1p-10) * extent2);
+    const mask_t<W> long_chord = every(s2 > s2_error, s2 > W(0x1p-10) * ar2, E(a) > E(0x1p-10) * extent2);
     const mask_t<W> certain = some(s2 < -s2_error, long_chord);
 
     W s = sqrt(axis2 * max(s2, zero)), over_a = quotient(W(1), a, zero);
@@ -93,7 +94,7 @@ RAIO_FN constexpr void cylinder_surface(const vec3<T>& base, const vec3<T>& top,
     vec3<Q> sideways = from_axis * quotient(Q(1), distance, zero);
     vec3<Q> outward = select(side, sideways, up * select(c.face == index_t<T>(1), Q(-1), Q(1)));
 
-    record_point(ray, c, rec);
+    record_point(ray, c, rec, radius);
     rec.normal = vec3<T>(outward * select(c.entering, Q(1), Q(-1)));
     const frame<Q> f = frame_about(up);
     const T height = T(along / axis2), rho = T(distance) / radius;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <raio/concepts.hpp>
+#include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
 #include <raio/plane_crossing.hpp>
 
@@ -35,7 +36,9 @@ struct plane {
     RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
         vec3<W> n(normal);
         auto height = height_above<W>(n, point, ray.origin);
-        return cross_plane(n, vec3<W>(ray.direction), height.value, height.error);
+        crossing<W> c = cross_plane(n, vec3<W>(ray.direction), height.value, height.error);
+        keep_if_reachable(ray, c);
+        return c;
     }
 
     template <class W>
@@ -44,7 +47,7 @@ struct plane {
         record_point(ray, c, rec);
         rec.normal = outward * select(c.entering, T(1), T(-1));
         vec3<T> local = frame_about(outward).to_local(rec.point - point);
-        rec.uv = {local.x - floor(local.x), local.y - floor(local.y)};
+        rec.uv = {fraction(local.x), fraction(local.y)};
     }
 };
 

@@ -57,10 +57,10 @@ struct sphere {
         // With u the unit roundoff and |l| |d| <= |b| + |l x d|, s2 is off by less than 8 u |l x d| |b| + 14 u (ar2 +
         // passed2), and twice a product is at most the sum of the squares, however they are weighted. If the chord is
         // no shorter than a 32nd of the diameter, b -+ s is right to 2^14 u (|b| + s).
-        constexpr double u = unit_roundoff<W>;
+        constexpr double u = unit_roundoff<W>, least = least_normal<W>;
         E s2_error = E(0x1p23 * u) * E(passed2) + E(0x1p-18 * u) * (E(b) * E(b));
-        const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), a > W(0), radius > T(0));
-        const mask_t<W> certain = some(s2<-s2_error, s2> W(0x1p-10) * ar2);
+        const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), ar2 >= W(least), radius > T(0));
+        const mask_t<W> certain = some(s2 < -s2_error, every(s2 > s2_error, s2 > W(0x1p-10) * ar2));
         if (none(exists)) return {{exists, certain, W(0), E(0), exists}, {exists, certain, W(0), E(0), exists}};
 
         W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
@@ -71,12 +71,13 @@ struct sphere {
 
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
+        using Q = quick_t<T>;
         vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
-        vec3<T> outward(normalize(vec3<quick_t<T>>(from_center)));
-        record_point(ray, c, rec);
+        vec3<T> outward(normalize(vec3<Q>(from_center)));
+        record_point(ray, c, rec, radius);
         rec.normal = outward * select(c.entering, T(1), T(-1));
         // Angles do not ask for unit length: they need not wait for the root.
-        vec3<T> scaled = vec3<T>(from_center) * (T(1) / radius);
+        vec3<T> scaled(vec3<Q>(from_center) * (Q(1) / Q(radius)));
         rec.uv = {turns(-scaled.z, scaled.x), latitude(scaled.y, sqrt(scaled.x * scaled.x + scaled.z * scaled.z))};
     }
 };
