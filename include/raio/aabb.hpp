@@ -54,9 +54,8 @@ RAIO_FN constexpr aabb<T> padded(const aabb<T>& box) {
 /// How far a disc reaches along each axis: the radius times the sine of the angle between the axis and the normal.
 template <real T>
 RAIO_FN constexpr vec3<T> disc_reach(const vec3<T>& normal, const T& radius) {
-    vec3<T> n2 = normal * normal;
-    const T over = radius / sqrt(n2.x + n2.y + n2.z);
-    return vec3<T>(sqrt(n2.y + n2.z), sqrt(n2.z + n2.x), sqrt(n2.x + n2.y)) * (over * T(1 + 8 * unit_roundoff<T>));
+    vec3<T> n = normalize(normal), n2 = n * n;
+    return vec3<T>(sqrt(n2.y + n2.z), sqrt(n2.z + n2.x), sqrt(n2.x + n2.y)) * (radius * T(1 + 8 * unit_roundoff<T>));
 }
 
 /// The everything box, of shapes without end.

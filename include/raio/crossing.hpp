@@ -25,6 +25,18 @@ RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error) {
     }
 }
 
+/// A bound for the terms of a.(b x c), whose rounding errors are a few times that much of a roundoff: cheap where a
+/// closer look can follow, and as tight as it gets where it decides.
+template <class W>
+RAIO_FN constexpr bound_t<W> triple_product_bound(const vec3<W>& a, const vec3<W>& b, const vec3<W>& c) {
+    using E = bound_t<W>;
+    if constexpr (std::same_as<W, double_double>) {
+        return permanent(vec3<E>(a), vec3<E>(b), vec3<E>(c));
+    } else {
+        return norm1(a) * norm1(b) * norm1(c);
+    }
+}
+
 /// One crossing of the line `origin + t * direction` with a surface, in the precision of W.
 template <class W>
 struct crossing {
@@ -189,7 +201,8 @@ RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<T>& ray, T t
 template <real T, class Shape>
 RAIO_FN constexpr interval<T> inside_of(const Shape& shape, const ray<T>& ray) {
     chord<exact_t<T>> c = shape.template crossings<exact_t<T>>(ray);
-    return {select(c.near.exists, T(c.near.t), infinity<T>), select(c.far.exists, T(c.far.t), -infinity<T>)};
+    const mask_t<T> meets = some(c.near.exists, c.far.exists);  // an end out of T's range is still an end
+    return {select(meets, T(c.near.t), infinity<T>), select(meets, T(c.far.t), -infinity<T>)};
 }
 
 /// Keeps only crossings whose point T can say: those of a shape without end may lie beyond its largest number.
@@ -204,19 +217,20 @@ RAIO_FN constexpr void keep_if_reachable(const ray<T>& ray, crossing<W>& c) {
 /// \param bend  the smallest radius at which the surface curves; 0 if it is flat
 template <real T, class W>
 RAIO_FN constexpr void record_point(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec, T bend = T(0)) {
-    rec.t = T(c.t);
+    rec.t = T(c.t) + T(0);  // never -0
     rec.point = vec3<T>(vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t);
+
     // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
     // rounding of the point to T. The smallest normal number stands for all that underflows.
-    constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>;
-    // The normal is rounded too: seen from a point on the surface itself, a ray that leaves at the angle of that error
-    // would meet the surface again. It rises from its tangent plane by half the square of an angle; this is eight times
-    // as much.
-    const T rise = bend * T(4 * in_t * in_t + 0x1p-96);
-    const T least(least_normal<T>), of_t = T(c.error + bound_t<W>(least));
-    rec.error =
-        (abs(ray.direction) * of_t + abs(ray.origin) * T(in_w) + abs(rec.point) * T(in_t + in_w)) * T(1 + 4 * in_t) +
-        vec3<T>(least + rise);
+    constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>, up = 1 + 4 * in_t;
+    const T least(least_normal<T>), most(std::numeric_limits<scalar_t<T>>::max());
+    const T of_t = min(T(c.error + bound_t<W>(least)), most);
+    // A ray that leaves at the angle of the normal's own rounding must not meet a curved surface again, and every
+    // crossing of a point that is off by this much has to be certain in double_double.
+    const T floor = bend * T(4 * in_t * in_t) + (bend + norm1(rec.point)) * T(0x1p-88) + least;
+    vec3<T> error = abs(ray.direction) * of_t + abs(ray.origin) * T(in_w) + abs(rec.point) * T(in_t + in_w);
+    error = error * T(up) + vec3<T>(floor);
+    rec.error = {min(error.x, most), min(error.y, most), min(error.z, most)};
     rec.index = index_t<T>{};
     rec.front_face = c.entering;
 }

@@ -10,7 +10,7 @@ template <real T>
 struct hit_record {
     T t{};                   ///< ray parameter, in lengths of the ray's direction
     vec3<T> point{T(0)};     ///< where
-    vec3<T> normal{T(0)};    ///< unit, against the ray's direction: `dot(normal, direction) <= 0`
+    vec3<T> normal{T(0)};    ///< unit, against the ray's direction, up to its rounding
     vec2<T> uv{T(0)};        ///< surface coordinates in [0, 1]^2, as the shape documents them
     vec3<T> error{T(0)};     ///< how far `point` may be from the exact crossing, axis by axis
     index_t<T> index{};      ///< which member of an aggregate was hit; 0 where there are no members

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+
 #include <raio/math/strict_double.hpp>
 
 /// \file
@@ -20,7 +22,15 @@ public:
     RAIO_FN constexpr double_double(strict_double value) : high_(static_cast<double>(value)), low_(0.0) {}
 
     RAIO_FN constexpr explicit operator double() const { return high_; }
-    RAIO_FN constexpr explicit operator float() const { return static_cast<float>(high_); }
+    /// The nearest float to the sum of both parts, not to the high one: a double in the middle between two floats is
+    /// first moved off it by its last bit, to the side where the low part lies (round to odd; Boldo and Melquiond
+    /// 2008).
+    RAIO_FN constexpr explicit operator float() const {
+        const auto bits = std::bit_cast<std::uint64_t>(high_);
+        if (low_ == 0.0 || (bits & 1) != 0 || !raio::is_finite(high_)) return static_cast<float>(high_);
+        const bool away_from_zero = (low_ > 0.0) == (high_ > 0.0);
+        return static_cast<float>(std::bit_cast<double>(away_from_zero ? bits + 1 : bits - 1));
+    }
     RAIO_FN constexpr explicit operator strict_double() const { return high_; }
 
     RAIO_FN constexpr double_double operator-() const { return {-high_, -low_}; }

@@ -32,6 +32,13 @@ RAIO_FN constexpr vec3<T> abs(const vec3<T>& a) {
     return {abs(a.x), abs(a.y), abs(a.z)};
 }
 
+/// At least |a.(b x c)|, whatever the signs of the components: the terms of the triple product added up as magnitudes.
+template <real T>
+RAIO_FN constexpr T permanent(const vec3<T>& a, const vec3<T>& b, const vec3<T>& c) {
+    vec3<T> p = abs(b), q = abs(c);
+    return dot(abs(a), vec3<T>(p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x));
+}
+
 /// The sum of the components' magnitudes: never below the length, never above 1.74 times it, and free of roots.
 template <real T>
 RAIO_FN constexpr T norm1(const vec3<T>& a) {
@@ -47,8 +54,10 @@ RAIO_FN constexpr T length(const vec3<T>& a) {
 /// first.
 template <real T>
 RAIO_FN constexpr vec3<T> normalize(const vec3<T>& a) {
-    constexpr double large = std::same_as<scalar_t<T>, float> ? 0x1p60 : 0x1p500, small = 1.0 / large;
-    T size = norm1(a), scale = select(size > T(large), T(small), select(size < T(small), T(large), T(1)));
+    constexpr bool single = std::same_as<scalar_t<T>, float>;
+    constexpr double large = single ? 0x1p50 : 0x1p500, shrink = single ? 0x1p-100 : 0x1p-600;
+    T size = norm1(a), grown = select(size < T(1 / large), T(1 / shrink), T(1));
+    T scale = select(size > T(large), T(shrink), grown);
     vec3<T> b = a * scale;
     return b * (T(1) / length(b));
 }

@@ -133,8 +133,11 @@ struct cylinder {
 
     template <class W>
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
-        return intersect(detail::cross_endless_cylinder<W>(base, top, radius, ray),
-                         detail::cross_cap_planes<W>(base, top, ray));
+        chord<W> c = intersect(detail::cross_endless_cylinder<W>(base, top, radius, ray),
+                               detail::cross_cap_planes<W>(base, top, ray));
+        keep_if_reachable(ray, c.near);
+        keep_if_reachable(ray, c.far);
+        return c;
     }
 
     template <class W>

@@ -59,8 +59,10 @@ struct sphere {
         // no shorter than a 32nd of the diameter, b -+ s is right to 2^14 u (|b| + s).
         constexpr double u = unit_roundoff<W>, least = least_normal<W>;
         E s2_error = E(0x1p23 * u) * E(passed2) + E(0x1p-18 * u) * (E(b) * E(b));
-        const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), ar2 >= W(least), radius > T(0));
-        const mask_t<W> certain = some(s2 < -s2_error, every(s2 > s2_error, s2 > W(0x1p-10) * ar2));
+        // A sphere so small that the last precision cannot tell it from its centre has no normal: it is missed.
+        E resolved = tie<W>(E(0x1p24 * u * u) * (E(b) * E(b)));
+        const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), ar2 >= W(least) + resolved, radius > T(0));
+        const mask_t<W> certain = some(s2 < -s2_error, every(s2 > E(0x1p9) * s2_error, s2 > W(0x1p-10) * ar2));
         if (none(exists)) return {{exists, certain, W(0), E(0), exists}, {exists, certain, W(0), E(0), exists}};
 
         W s = sqrt(max(s2, W(0))), over_a = W(1) / a;

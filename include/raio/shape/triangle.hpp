@@ -50,17 +50,16 @@ struct triangle {
         W det = dot(e1, p), sign = copysign(W(1), det), size = abs(det);
         W u = dot(s, p) * sign, v = dot(direction, q) * sign, w = size - (u + v);
 
-        // A triple product of vectors that are off by a rounding each is off by less than 8 roundings of their lengths'
-        // product.
-        E k = E(8 * unit_roundoff<W>), d1 = norm1(vec3<E>(direction)), s1 = norm1(vec3<E>(s));
-        E n1 = norm1(vec3<E>(e1)), n2 = norm1(vec3<E>(e2));
-        E det_error = k * n1 * d1 * n2, u_error = k * s1 * d1 * n2, v_error = k * s1 * d1 * n1;
+        // A triple product of vectors that are off by a rounding each is off by less than 8 roundings of its terms.
+        E k(8 * unit_roundoff<W>), det_error = k * triple_product_bound(e1, direction, e2);
+        E u_error = k * triple_product_bound(s, direction, e2), v_error = k * triple_product_bound(direction, s, e1);
         E w_error = det_error + u_error + v_error;
         const mask_t<W> outside = some(u < -u_error, v < -v_error, w < -w_error);
         const mask_t<W> inside = every(u > u_error, v > v_error, w > w_error);
 
         W over_det = quotient(W(1), det, W(0)), t = dot(e2, q) * over_det;
-        E error = E(2) * (k * n2 * s1 * n1 + abs(E(t)) * det_error) * abs(E(over_det));
+        E t_error = k * triple_product_bound(e2, s, e1);
+        E error = E(2) * (t_error + abs(E(t)) * det_error) * abs(E(over_det)) + E(4 * unit_roundoff<W>) * abs(E(t));
         return {.exists = every(u >= -tie<W>(u_error), v >= -tie<W>(v_error), w >= -tie<W>(w_error),
                                 size > tie<W>(det_error)),
                 .certain = every(size > E(2) * det_error, some(outside, inside)),
