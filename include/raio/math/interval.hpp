@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include <raio/math/real.hpp>
 
 namespace raio {
@@ -11,9 +14,85 @@ struct interval {
     T max = -infinity<T>;
 
     RAIO_FN constexpr mask_t<T> empty() const { return !(min <= max); }
-    RAIO_FN constexpr mask_t<T> contains(const T& t) const { return min <= t && t <= max; }
+    RAIO_FN constexpr mask_t<T> contains(const T& t) const { return every(min <= t, t <= max); }
     RAIO_FN constexpr T length() const { return select(min <= max, max - min, T(0)); }
     RAIO_FN friend constexpr bool operator==(const interval&, const interval&) = default;
 };
+
+/// Where a ray is inside a solid: at most N intervals, in order along the ray, none of them empty, no two with a point
+/// in common. The room is part of the type, so that a solid's spans need no memory of their own, on a graphics card
+/// neither.
+template <real T, std::size_t N>
+struct spans {
+    std::array<interval<T>, N> intervals{};
+    std::size_t count = 0;
+
+    RAIO_FN constexpr spans() = default;
+    RAIO_FN constexpr spans(const interval<T>& one) requires(N >= 1) { append(one); }
+
+    RAIO_FN constexpr const interval<T>* begin() const { return intervals.data(); }
+    RAIO_FN constexpr const interval<T>* end() const { return intervals.data() + count; }
+    RAIO_FN constexpr bool empty() const { return count == 0; }
+    RAIO_FN constexpr bool contains(const T& t) const {
+        for (const interval<T>& i : *this) {
+            if (i.contains(t)) return true;
+        }
+        return false;
+    }
+
+    /// Adds an interval that starts no earlier than the last one; where the two meet they become one.
+    RAIO_FN constexpr void append(const interval<T>& next) {
+        if (next.empty()) return;
+        if (count > 0 && next.min <= intervals[count - 1].max) {
+            intervals[count - 1].max = max(intervals[count - 1].max, next.max);
+        } else {
+            intervals[count++] = next;
+        }
+    }
+};
+
+template <real T>
+spans(interval<T>) -> spans<T, 1>;
+
+/// Inside either.
+template <real T, std::size_t N, std::size_t M>
+RAIO_FN constexpr spans<T, N + M> unite(const spans<T, N>& a, const spans<T, M>& b) {
+    spans<T, N + M> both;
+    for (std::size_t i = 0, j = 0; i < a.count || j < b.count;) {
+        const bool from_a = j == b.count || (i < a.count && a.intervals[i].min <= b.intervals[j].min);
+        both.append(from_a ? a.intervals[i++] : b.intervals[j++]);
+    }
+    return both;
+}
+
+/// Inside both. Of two lists that are walked together, the interval that ends first has met all it can.
+template <real T, std::size_t N, std::size_t M>
+RAIO_FN constexpr spans<T, N + M> intersect(const spans<T, N>& a, const spans<T, M>& b) {
+    spans<T, N + M> both;
+    for (std::size_t i = 0, j = 0; i < a.count && j < b.count;) {
+        const interval<T>&p = a.intervals[i], &q = b.intervals[j];
+        both.append({max(p.min, q.min), min(p.max, q.max)});
+        p.max < q.max ? ++i : ++j;
+    }
+    return both;
+}
+
+/// Inside `a` and not in the interior of `b`: what is left keeps the ends where `b` was cut off. An interval that is
+/// cut down to a single point is gone.
+template <real T, std::size_t N, std::size_t M>
+RAIO_FN constexpr spans<T, N + M> subtract(const spans<T, N>& a, const spans<T, M>& b) {
+    spans<T, N + M> rest;
+    std::size_t j = 0;
+    for (interval<T> left : a) {
+        for (; j < b.count && b.intervals[j].max <= left.min; ++j) {
+        }
+        for (std::size_t k = j; k < b.count && b.intervals[k].min < left.max; ++k) {
+            if (left.min < b.intervals[k].min) rest.append({left.min, b.intervals[k].min});
+            left.min = b.intervals[k].max;
+        }
+        if (left.min < left.max) rest.append(left);
+    }
+    return rest;
+}
 
 }  // namespace raio

@@ -131,6 +131,25 @@ struct cylinder {
 
     RAIO_FN constexpr T area() const { return T(2 * pi<T>) * radius * (length(top - base) + radius); }
 
+    /// The side and the two caps have areas like twice the height, the radius and the radius: u.x chooses among them,
+    /// and what is left of it is the angle.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        vec3<T> axis = top - base;
+        const T height = length(axis), side = T(2) * height;
+        const frame<T> f = frame_about(axis / height);
+        const auto at = [&](T turn) { return f.x * cos(T(2 * pi<T>) * turn) + f.y * sin(T(2 * pi<T>) * turn); };
+        T left = u.x * (side + T(2) * radius);
+        if (left < side) {
+            vec3<T> normal = at(left / side);
+            return {base + axis * u.y + normal * radius, normal};
+        }
+        left -= side;
+        const bool on_top = left >= radius;
+        if (on_top) left -= radius;
+        vec3<T> from_axis = at(left / radius) * (radius * sqrt(u.y));
+        return on_top ? surface_sample<T>{top + from_axis, f.z} : surface_sample<T>{base + from_axis, -f.z};
+    }
+
     template <class W>
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
         chord<W> c = intersect(detail::cross_endless_cylinder<W>(base, top, radius, ray),
