@@ -74,19 +74,6 @@ RAIO_FN constexpr chord<W> everywhere() {
     return {{yes, yes, -infinity<W>, none, yes}, {yes, yes, infinity<W>, none, !yes}};
 }
 
-namespace detail {
-
-/// far - near, which may both be infinite: a double_double's errors would make a NaN of that.
-template <real W>
-RAIO_FN constexpr W gap(const W& near, const W& far) {
-    if constexpr (std::same_as<W, double_double>) {
-        if (!is_finite(near) || !is_finite(far)) return near <= far ? infinity<W> : -infinity<W>;
-    }
-    return far - near;
-}
-
-}  // namespace detail
-
 /// The chord of the points that two convex solids share: from where the line has entered both to where it leaves the
 /// first. Of two faces that are crossed at the same t, that of `a` is named.
 template <real W>
@@ -95,7 +82,7 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     const mask_t<W> b_enters_later = a.near.t < b.near.t, b_leaves_first = b.far.t < a.far.t;
     // The crossing that was passed over counts as far as its error reaches beyond the chosen one.
     const auto error = [](const mask_t<W>& second, const crossing<W>& x, const crossing<W>& y) {
-        E apart = abs(E(detail::gap(x.t, y.t)));
+        E apart = abs(E(y.t - x.t));
         return max(select(second, y.error, x.error), select(second, x.error, y.error) - apart);
     };
     chord<W> both = a;
@@ -106,7 +93,7 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     both.far.error = error(b_leaves_first, a.far, b.far);
     both.far.face = select(b_leaves_first, b.far.face, a.far.face);
 
-    W inside = detail::gap(both.near.t, both.far.t);
+    W inside = both.far.t - both.near.t;
     E slack = both.near.error + both.far.error;
     const mask_t<W> missed = some(every(a.near.certain, !a.near.exists), every(b.near.certain, !b.near.exists));
     const mask_t<W> decided = every(a.near.certain, b.near.certain, abs(inside) > slack);
@@ -136,22 +123,25 @@ RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_ma
     return select(near.exists, near, first_in_window(c.far, t_min, t_max));
 }
 
-/// The same, `certain` only if exact arithmetic would say so too and round to the same t: both ends of the error round
-/// to one number, which lies inside the window, or to numbers of which none does.
-template <real T, class W>
+/// What is asked of the first crossing: only whether there is one, or also where.
+enum class question { whether, where };
+
+/// The same, `certain` only if exact arithmetic would say so too: wherever in its error t is, it lies inside the
+/// window, or outside; and if t is asked for, both ends of the error round to the same.
+template <question Asked, real T, class W>
 RAIO_FN constexpr crossing<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
     if (!c.exists) return c;
     const T low = T(c.t - c.error), high = T(c.t + c.error);
-    const bool inside = every(low == high, t_min <= low, high <= t_max, is_finite(low));
+    const bool inside = every(t_min <= low, high <= t_max, is_finite(high), Asked == question::whether || low == high);
     const bool outside = some(high < t_min, t_max < low);
     c.certain = every(c.certain, some(inside, outside));
     c.exists = inside;
     return c;
 }
-template <real T, class W>
+template <question Asked, real T, class W>
 RAIO_FN constexpr crossing<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
-    crossing<W> first = settled_in_window(c.near, t_min, t_max);
-    if (!first.exists && first.certain) first = settled_in_window(c.far, t_min, t_max);
+    crossing<W> first = settled_in_window<Asked>(c.near, t_min, t_max);
+    if (!first.exists && first.certain) first = settled_in_window<Asked>(c.far, t_min, t_max);
     return first;
 }
 
@@ -163,10 +153,10 @@ template <real T, class Shape, class Then>
 }
 
 /// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
-template <real T, class Shape, class Then>
+template <question Asked, real T, class Shape, class Then>
 RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<T>& ray, T t_min, T t_max, Then then) {
     if constexpr (!std::same_as<quick_t<T>, exact_t<T>>) {
-        auto quick = settled_in_window(shape.template crossings<quick_t<T>>(ray), t_min, t_max);
+        auto quick = settled_in_window<Asked>(shape.template crossings<quick_t<T>>(ray), t_min, t_max);
         if (quick.certain) [[likely]]
             return then(quick);
     }
@@ -179,13 +169,14 @@ RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<T>& ray, T t_mi
 /// t_max]?
 template <real T, class Shape>
 RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const ray<T>& ray, T t_min, T t_max) {
-    return detail::settle(shape, ray, t_min, t_max, [](const auto& crossing) { return crossing.exists; });
+    return detail::settle<detail::question::whether>(shape, ray, t_min, t_max,
+                                                     [](const auto& crossing) { return crossing.exists; });
 }
 
 /// `hit` of every shape that has also `surface(ray, crossing, rec)`: the same crossing, and what to record of it.
 template <real T, class Shape>
 RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) {
-    return detail::settle(shape, ray, t_min, t_max, [&](const auto& crossing) {
+    return detail::settle<detail::question::where>(shape, ray, t_min, t_max, [&](const auto& crossing) {
         if constexpr (std::same_as<mask_t<T>, bool>) {
             if (crossing.exists) shape.surface(ray, crossing, rec);
         } else if (any(crossing.exists)) {

@@ -8,23 +8,23 @@
 
 namespace raio {
 
+/// What a group can hold: a primitive, or a range of primitives of one type.
+template <class Member>
+concept group_member = primitive<Member> || primitive<std::ranges::range_value_t<Member>>;
+
 namespace detail {
 
 /// The primitive that a member of a group is, or that it is a range of.
 template <class Member>
 struct primitive_of {
-    using type = std::ranges::range_value_t<Member>;
-};
-template <primitive Member>
-struct primitive_of<Member> {
     using type = Member;
+};
+template <class Member>
+requires(!primitive<Member>) struct primitive_of<Member> {
+    using type = std::ranges::range_value_t<Member>;
 };
 
 }  // namespace detail
-
-/// What a group can hold: a primitive, or a range of primitives of one type.
-template <class Member>
-concept group_member = primitive<typename detail::primitive_of<Member>::type>;
 
 /// Several primitives of several types, tested one after the other. The nearest is hit, and of equally near ones the
 /// first.

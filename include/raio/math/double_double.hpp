@@ -37,6 +37,7 @@ public:
 
     RAIO_FN friend constexpr double_double operator+(double_double a, double_double b) {
         const double_double sum = exact_sum(a.high_, b.high_);
+        if (!raio::is_finite(sum.high_)) return sum.high_;  // the error of an infinity would be a NaN
         return renormalized(sum.high_, sum.low_ + (a.low_ + b.low_));
     }
     RAIO_FN friend constexpr double_double operator-(double_double a, double_double b) { return a + -b; }
@@ -47,7 +48,7 @@ public:
     }
     RAIO_FN friend constexpr double_double operator/(double_double a, double_double b) {
         const double quotient = a.high_ / b.high_;
-        if (!raio::is_finite(quotient)) return quotient;
+        if (!raio::is_finite(quotient) || !raio::is_finite(b.high_)) return quotient;
         const double_double remainder = a - b * double_double(quotient);
         return renormalized(quotient, remainder.high_ / b.high_);
     }
@@ -117,11 +118,13 @@ private:
         return {product, ((rest + cross) + cross2) + detail::rounded_product(x.low_, y.low_)};
     }
 
-    /// a in two halves of 26 bits each.
+    /// a in two halves of 26 bits each. What is so large that the scaling would overflow is split a few bits lower
+    /// down.
     RAIO_FN static constexpr double_double split(double a) {
-        const double scaled = detail::rounded_product(a, 134217729.0);  // 2^27 + 1
-        const double high = scaled - (scaled - a);
-        return {high, a - high};
+        const double down = raio::abs(a) > 0x1p990 ? 0x1p-30 : 1.0, lowered = a * down;
+        const double scaled = detail::rounded_product(lowered, 134217729.0);  // 2^27 + 1
+        const double high = scaled - (scaled - lowered);
+        return {high / down, (lowered - high) / down};
     }
 
     double high_, low_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -104,6 +105,7 @@ RAIO_FN constexpr T sqrt(T x) {
 }
 template <std::floating_point T>
 RAIO_FN constexpr T abs(T x) {
+    if (std::is_constant_evaluated()) return x < T(0) ? -x : x + T(0);
     return std::fabs(x);
 }
 template <std::floating_point T>
@@ -120,6 +122,10 @@ RAIO_FN constexpr T cos(T x) {
 }
 template <std::floating_point T>
 RAIO_FN constexpr T copysign(T magnitude, T sign) {
+    if (std::is_constant_evaluated()) {
+        using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+        return std::bit_cast<bits>(sign) >> (8 * sizeof(T) - 1) != 0 ? -abs(magnitude) : abs(magnitude);
+    }
     return std::copysign(magnitude, sign);
 }
 template <std::floating_point T>

@@ -11,7 +11,7 @@ namespace raio {
 /// all three slabs (Kay and Kajiya 1986). A line that runs parallel to a slab is inside it everywhere or nowhere: that
 /// is asked of the origin and never of a quotient, since 0 / 0 would answer neither.
 ///
-/// Faces are counted -x, +x, -y, +y, -z, +z. uv: the two other coordinates of the point, in their order, from 0 at
+/// Faces are counted by their axis: x, y, z. uv: the two other coordinates of the point, in their order, from 0 at
 /// `min` to 1 at `max`.
 template <real T>
 struct box {
@@ -54,50 +54,60 @@ struct box {
     template <class W>
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
         using E = bound_t<W>;
-        auto slab = [&](glm::length_t axis) {
-            W o(ray.origin[axis]), d(ray.direction[axis]), low(min[axis]), high(max[axis]), zero(0);
-            const mask_t<W> parallel = d == zero, forward = d > zero, yes = some(parallel, !parallel);
-            W over_d = quotient(W(1), d, zero), to_low = (low - o) * over_d, to_high = (high - o) * over_d;
-            W near = select(parallel, -infinity<W>, raio::min(to_low, to_high));
-            W far = select(parallel, infinity<W>, raio::max(to_low, to_high));
-            E k(4 * unit_roundoff<W>), near_error = select(parallel, E(0), k * abs(E(near)));
-            E far_error = select(parallel, E(0), k * abs(E(far)));
-            const index_t<W> low_face = index_t<W>(2 * axis), high_face = index_t<W>(2 * axis + 1);
-            const mask_t<W> exists = every(low <= high, near <= far, is_finite(d), is_finite(low), is_finite(high),
-                                           some(!parallel, every(low <= o, o <= high)));
-            return chord<W>{{exists, yes, near, near_error, yes, select(forward, low_face, high_face)},
-                            {exists, yes, far, far_error, !yes, select(forward, high_face, low_face)}};
+        // Where the line enters and leaves the slab across one axis.
+        const auto slab = [](T origin, T direction, T low, T high) {
+            W o(origin), over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
+            W to_low = (W(low) - o) * over_d, to_high = (W(high) - o) * over_d;
+            const mask_t<W> parallel = direction == T(0), within = every(low <= origin, origin <= high);
+            return vec2<W>(select(parallel, select(within, -inf, inf), raio::min(to_low, to_high)),
+                           select(parallel, select(within, inf, -inf), raio::max(to_low, to_high)));
         };
-        chord<W> c = intersect(intersect(slab(0), slab(1)), slab(2));
-        const mask_t<T> x = min.x < max.x, y = min.y < max.y, z = min.z < max.z;
-        c.near.exists = c.far.exists = every(c.near.exists, some(every(x, y), every(y, z), every(z, x)));
-        return c;
+        vec2<W> x = slab(ray.origin.x, ray.direction.x, min.x, max.x);
+        vec2<W> y = slab(ray.origin.y, ray.direction.y, min.y, max.y);
+        vec2<W> z = slab(ray.origin.z, ray.direction.z, min.z, max.z);
+        W near = raio::max(raio::max(x.x, y.x), z.x), far = raio::min(raio::min(x.y, y.y), z.y);
+
+        // Each t is off by less than 4 u |t|, and so are the largest and the smallest of three.
+        E k(4 * unit_roundoff<W>), near_error = k * abs(E(near)), far_error = k * abs(E(far));
+        W inside = far - near;
+        const mask_t<W> meets = inside >= -tie<W>(near_error + far_error);
+        const mask_t<W> certain = some(inside == -infinity<W>, abs(E(inside)) > near_error + far_error);
+        if (none(meets)) return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
+
+        vec3<T> size = max - min;
+        const T none(0), thinnest = raio::min(raio::min(size.x, size.y), size.z);
+        const mask_t<T> spread = some(every(size.x > none, size.y > none), every(size.y > none, size.z > none),
+                                      every(size.z > none, size.x > none));
+        const mask_t<W> exists =
+            every(meets, spread, thinnest >= none, is_finite(size), is_finite(ray.origin), is_finite(ray.direction));
+        const auto axis_of = [](const W& t, const W& t_x, const W& t_y) {
+            return select(t_x == t, index_t<W>(0), select(t_y == t, index_t<W>(1), index_t<W>(2)));
+        };
+        return {{exists, certain, near, near_error, exists, axis_of(near, x.x, y.x)},
+                {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y)}};
     }
 
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        const auto face_is = [&](unsigned low, unsigned high) {
-            return some(c.face == index_t<T>(low), c.face == index_t<T>(high));
-        };
-        const mask_t<T> x = face_is(0, 1), y = face_is(2, 3), z = face_is(4, 5);
+        const mask_t<T> x = c.face == index_t<T>(0), y = c.face == index_t<T>(1), z = c.face == index_t<T>(2);
         const T zero(0), one(1);
         record_point(ray, c, rec);
-        // One coordinate is known without any error: that of the face.
-        const auto onto = [&](mask_t<T> on, unsigned low_face, T low, T high, T& p, T& error) {
-            p = select(on, select(c.face == index_t<T>(low_face), low, high), p);
+        // One coordinate is known without any error: that of the face, which is the low one where the line enters
+        // forwards.
+        const auto onto = [&](mask_t<T> on, T d, T low, T high, T& p, T& error, T& normal) {
+            const mask_t<T> forward = d > zero, at_low = c.entering == forward;
+            p = select(on, select(at_low, low, high), p);
             error = select(on, zero, error);
+            normal = select(on, copysign(one, -d), zero);
         };
-        onto(x, 0, min.x, max.x, rec.point.x, rec.error.x);
-        onto(y, 2, min.y, max.y, rec.point.y, rec.error.y);
-        onto(z, 4, min.z, max.z, rec.point.z, rec.error.z);
-        const auto against = [&](mask_t<T> on, T d) { return select(on, select(d > zero, -one, one), zero); };
-        rec.normal = {against(x, ray.direction.x), against(y, ray.direction.y), against(z, ray.direction.z)};
+        onto(x, ray.direction.x, min.x, max.x, rec.point.x, rec.error.x, rec.normal.x);
+        onto(y, ray.direction.y, min.y, max.y, rec.point.y, rec.error.y, rec.normal.y);
+        onto(z, ray.direction.z, min.z, max.z, rec.point.z, rec.error.z, rec.normal.z);
         const auto along = [&](T p, T low, T high) {
             return raio::max(zero, raio::min(one, quotient(p - low, high - low, zero)));
         };
-        vec3<T> local(along(rec.point.x, min.x, max.x), along(rec.point.y, min.y, max.y),
-                      along(rec.point.z, min.z, max.z));
-        rec.uv = {select(x, local.y, local.x), select(z, local.y, local.z)};
+        rec.uv = {along(select(x, rec.point.y, rec.point.x), select(x, min.y, min.x), select(x, max.y, max.x)),
+                  along(select(z, rec.point.y, rec.point.z), select(z, min.y, min.z), select(z, max.y, max.z))};
     }
 };
 

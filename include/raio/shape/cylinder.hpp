@@ -44,7 +44,9 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     E s2_error = E(0x1p22 * u) * E(passed2) + extent2 * (E(0x1p-10 * u) * l2 + E(0x1p6 * u) * r2);
     W beside2 = dot(m, m), inner2 = r * r * axis2;
     E beside2_error = E(0x1p8 * u) * (E(beside2) + l2 * E(axis2));
-    const mask_t<W> sound = every(radius > T(0), r2 >= E(least), axis2 >= W(least), d2 >= W(least)),
+    // A radius that the last precision cannot tell from none leaves no normal: such a cylinder is missed.
+    E resolved = tie<W>(E(0x1p30 * u * u) * l2);
+    const mask_t<W> sound = every(radius > T(0), r2 >= E(least) + resolved, axis2 >= W(least), d2 >= W(least)),
                     parallel = a == zero;
     const mask_t<W> exists =
         every(sound, select(parallel, beside2 - inner2 <= tie<W>(beside2_error), s2 >= -tie<W>(s2_error)));
@@ -200,7 +202,7 @@ struct open_cylinder {
     RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
         chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         const auto within = [&](crossing<W> c) {
-            W before = detail::gap(slab.near.t, c.t), after = detail::gap(c.t, slab.far.t);
+            W before = c.t - slab.near.t, after = slab.far.t - c.t;
             bound_t<W> before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
             const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
             const mask_t<W> between = every(before > before_error, after > after_error);

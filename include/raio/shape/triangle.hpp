@@ -76,6 +76,11 @@ struct triangle {
         vec3<Q> p((vec3<W>(ray.origin) - corner) + vec3<W>(ray.direction) * at.t);
         vec3<T> outward(normalize(across));
         record_point(ray, at, rec);
+        // The exact point is a mean of the corners; where the triangle is seen edge-on the computed one may lie beyond
+        // them.
+        const auto between = [](T v, T x, T y, T z) { return max(min(min(x, y), z), min(max(max(x, y), z), v)); };
+        rec.point = {between(rec.point.x, a.x, b.x, c.x), between(rec.point.y, a.y, b.y, c.y),
+                     between(rec.point.z, a.z, b.z, c.z)};
         rec.normal = outward * select(at.entering, T(1), T(-1));
         // The areas of the triangles that the point makes with two of the corners, over the area of the whole.
         Q over_area2 = Q(1) / dot(across, across);
