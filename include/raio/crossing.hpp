@@ -149,7 +149,17 @@ RAIO_FN constexpr crossing<W> settled_in_window(const chord<W>& c, T t_min, T t_
 template <real T, class Shape, class Then>
 [[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_exactly(const Shape& shape, const ray<T>& ray, T t_min, T t_max,
                                                              Then then) {
-    return then(first_in_window(shape.template crossings<exact_t<T>>(ray), t_min, t_max));
+    auto exact = first_in_window(shape.template crossings<exact_t<T>>(ray), t_min, t_max);
+    if constexpr (!std::same_as<quick_t<T>, exact_t<T>>) {
+        if (!exact.exists) {
+            // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
+            // range.
+            auto quick = shape.template crossings<quick_t<T>>(ray);
+            auto verdict = settled_in_window<question::whether>(quick, t_min, t_max);
+            if (verdict.certain && verdict.exists) return then(verdict);
+        }
+    }
+    return then(exact);
 }
 
 /// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.

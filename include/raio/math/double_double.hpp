@@ -111,6 +111,7 @@ private:
 #if defined(__FMA__) || defined(FP_FAST_FMA) || defined(__CUDA_ARCH__)
         if (!std::is_constant_evaluated()) return {product, std::fma(a, b, -product)};
 #endif
+        if (raio::abs(a) > 0x1p990 || raio::abs(b) > 0x1p990) return product;  // the splitting would overflow
         const double_double x = split(a), y = split(b);
         const double rest = detail::rounded_product(x.high_, y.high_) - product;
         const double cross = detail::rounded_product(x.high_, y.low_);
@@ -118,13 +119,11 @@ private:
         return {product, ((rest + cross) + cross2) + detail::rounded_product(x.low_, y.low_)};
     }
 
-    /// a in two halves of 26 bits each. What is so large that the scaling would overflow is split a few bits lower
-    /// down.
+    /// a in two halves of 26 bits each.
     RAIO_FN static constexpr double_double split(double a) {
-        const double down = raio::abs(a) > 0x1p990 ? 0x1p-30 : 1.0, lowered = a * down;
-        const double scaled = detail::rounded_product(lowered, 134217729.0);  // 2^27 + 1
-        const double high = scaled - (scaled - lowered);
-        return {high / down, (lowered - high) / down};
+        const double scaled = detail::rounded_product(a, 134217729.0);  // 2^27 + 1
+        const double high = scaled - (scaled - a);
+        return {high, a - high};
     }
 
     double high_, low_;
