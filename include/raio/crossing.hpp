@@ -211,7 +211,7 @@ template <real T, class W>
 RAIO_FN constexpr void keep_if_reachable(const ray<T>& ray, crossing<W>& c) {
     vec3<bound_t<W>> origin(vec3<W>(ray.origin)), direction(vec3<W>(ray.direction));
     bound_t<W> farthest = norm1(origin) + norm1(direction) * abs(bound_t<W>(c.t));
-    c.exists = every(c.exists, farthest < bound_t<W>(std::numeric_limits<scalar_t<T>>::max()));
+    c.exists = every(c.exists, farthest < bound_t<W>(std::numeric_limits<scalar_t<T>>::max() / 2));
 }
 
 /// Records what every surface records alike: t, the point, how far that may be off, and the side.

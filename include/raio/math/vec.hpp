@@ -55,15 +55,19 @@ RAIO_FN constexpr T length(const vec3<T>& a) {
     return sqrt(dot(a, a));
 }
 
-/// The unit vector in the direction of `a`, of whatever length but zero: one whose square is out of range is scaled
-/// first.
+/// The vector itself, or, where its square would be out of range, the same times a power of two.
 template <real T>
-RAIO_FN constexpr vec3<T> normalize(const vec3<T>& a) {
+RAIO_FN constexpr vec3<T> scaled_into_range(const vec3<T>& a) {
     constexpr bool single = std::same_as<scalar_t<T>, float>;
     constexpr double large = single ? 0x1p50 : 0x1p500, shrink = single ? 0x1p-100 : 0x1p-600;
     T size = norm1(a), grown = select(size < T(1 / large), T(1 / shrink), T(1));
-    T scale = select(size > T(large), T(shrink), grown);
-    vec3<T> b = a * scale;
+    return a * select(size > T(large), T(shrink), grown);
+}
+
+/// The unit vector in the direction of `a`, which may have any length but zero.
+template <real T>
+RAIO_FN constexpr vec3<T> normalize(const vec3<T>& a) {
+    vec3<T> b = scaled_into_range(a);
     return b * (T(1) / length(b));
 }
 

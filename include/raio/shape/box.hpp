@@ -68,10 +68,13 @@ struct box {
         W near = raio::max(raio::max(x.x, y.x), z.x), far = raio::min(raio::min(x.y, y.y), z.y);
 
         // Each t is off by less than 4 u |t|, and so are the largest and the smallest of three.
-        E k(4 * unit_roundoff<W>), near_error = k * abs(E(near)), far_error = k * abs(E(far));
+        const auto error_of = [](const W& t) {
+            return select(is_finite(t), E(4 * unit_roundoff<W>) * abs(E(t)), E(0));
+        };
+        E near_error = error_of(near), far_error = error_of(far);
         W inside = far - near;
         const mask_t<W> meets = inside >= -tie<W>(near_error + far_error);
-        const mask_t<W> certain = some(inside == -infinity<W>, abs(E(inside)) > near_error + far_error);
+        const mask_t<W> certain = abs(E(inside)) > near_error + far_error;
         if (none(meets)) return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
 
         vec3<T> size = max - min;

@@ -74,7 +74,7 @@ struct triangle {
         vec3<W> corner(a), edge1 = vec3<W>(b) - corner, edge2 = vec3<W>(c) - corner;
         vec3<Q> across(cross(edge1, edge2)), e1(edge1), e2(edge2);
         vec3<Q> p((vec3<W>(ray.origin) - corner) + vec3<W>(ray.direction) * at.t);
-        vec3<T> outward(normalize(across));
+        vec3<T> outward(normalize(vec3<Q>(cross(scaled_into_range(edge1), scaled_into_range(edge2)))));
         record_point(ray, at, rec);
         // The exact point is a mean of the corners; where the triangle is seen edge-on the computed one may lie beyond
         // them.
