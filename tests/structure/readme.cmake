@@ -1,0 +1,28 @@
+# cmake -D ROOT=<checkout> -D HELLO=<program> -P readme.cmake
+# The README's program is examples/hello.cpp, letter by letter, it prints what the README says, and every file that the README
+# links to is there.
+cmake_minimum_required(VERSION 3.25)
+
+file(READ ${ROOT}/README.md readme)
+file(READ ${ROOT}/examples/hello.cpp hello)
+
+string(FIND "${readme}" "```cpp\n" begin)
+string(FIND "${readme}" "```cpp\n${hello}```\n" same)
+if(begin EQUAL -1 OR NOT begin EQUAL same)
+    message(SEND_ERROR "the first program of README.md is not examples/hello.cpp")
+endif()
+
+execute_process(COMMAND ${HELLO} OUTPUT_VARIABLE output OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+string(FIND "${readme}" "`${output}`" same)
+if(output STREQUAL "" OR same EQUAL -1)
+    message(SEND_ERROR "examples/hello.cpp prints \"${output}\", README.md says otherwise")
+endif()
+
+string(REPLACE "](" "link(" readme "${readme}")  # a lone bracket would glue list elements together
+string(REGEX MATCHALL "link\\([^)#: ]+\\)" links "${readme}")
+foreach(link IN LISTS links)
+    string(REGEX REPLACE "^link\\((.*)\\)$" "\\1" path ${link})
+    if(NOT EXISTS ${ROOT}/${path})
+        message(SEND_ERROR "README.md links to ${path}, which is not there")
+    endif()
+endforeach()
