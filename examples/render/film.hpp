@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "color.hpp"
+
+namespace render {
+
+/// The picture while it is made: a colour for each pixel, as it will be shown. Row 0 is at the top, column 0 at the
+/// left.
+class film {
+public:
+    film(int width, int height)
+        : width_(width), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), color(0)) {}
+
+    int width() const { return width_; }
+    int height() const { return static_cast<int>(pixels_.size()) / width_; }
+
+    color& at(int column, int row) { return pixels_[index(column, row)]; }
+    const color& at(int column, int row) const { return pixels_[index(column, row)]; }
+
+private:
+    int width_;
+    std::vector<color> pixels_;
+
+    std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column);
+    }
+};
+
+/// Throws what `write_image` would throw for this path, so that one knows before the picture is rendered. Leaves
+/// nothing behind.
+void expect_writable(const std::filesystem::path& path);
+
+/// Writes the picture as PPM (P6) or PNG, as the path ends, `min(int(255 c), 255)` for each channel. The file is there
+/// whole or not at all: it is written under another name beside `path` and renamed. Throws `std::runtime_error` that
+/// begins with the path and says what is wrong and what was expected.
+void write_image(const film& picture, const std::filesystem::path& path);
+
+}  // namespace render

@@ -1,0 +1,44 @@
+#include "integrator.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace render {
+namespace {
+
+color unchanged(const color& mean) { return mean; }
+
+/// Gamma 2: screens answer with about the square of what they are told.
+color square_root(const color& mean) { return {std::sqrt(mean.x), std::sqrt(mean.y), std::sqrt(mean.z)}; }
+
+}  // namespace
+
+std::span<const integrator> integrators() {
+    static constexpr std::array all{
+        integrator{"flat", flat::radiance, unchanged, 1, 0, "the pigment of the first surface"},
+        integrator{"normals", normals::radiance, unchanged, 1, 0, "the normal of the first surface, as a colour"},
+        integrator{"whitted", whitted::radiance, unchanged, 1, 6, "Phong's model, shadows, mirrors and glass"},
+        integrator{"path", path::radiance, square_root, 64, 50,
+                   "all light there is, by chance: smoother with more samples"}};
+    return all;
+}
+
+namespace flat {
+
+color radiance(const world& world, const ray& view, sampler&, int) {
+    hit_record rec;
+    return world.hit(view, 0, raio::infinity<number>, rec) ? world.color_at(rec) : color(0);
+}
+
+}  // namespace flat
+
+namespace normals {
+
+color radiance(const world& world, const ray& view, sampler&, int) {
+    hit_record rec;
+    return world.hit(view, 0, raio::infinity<number>, rec) ? (rec.normal + 1.0) / 2.0 : color(0);
+}
+
+}  // namespace normals
+
+}  // namespace render

@@ -1,0 +1,129 @@
+// The reference renderer: raio-render SCENE [-o IMAGE] [--integrator flat|normals|whitted|path] ...
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "progress.hpp"
+#include "reader.hpp"
+#include "renderer.hpp"
+
+namespace {
+
+constexpr int longest_side = 16384;  // of a picture, in pixels
+
+struct command_line {
+    std::filesystem::path scene, image;
+    std::string integrator = "whitted";
+    render::render_settings settings{.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
+    bool quiet = false;
+};
+
+const render::integrator& chosen_integrator(const std::string& name) {
+    return *std::ranges::find(render::integrators(), name, &render::integrator::name);
+}
+
+template <class Number>
+bool is_number(std::string_view text, Number& value) {
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc{} && rest == end;
+}
+
+/// Reads WIDTHxHEIGHT.
+void read_size(const std::string& text, render::render_settings& settings) {
+    const std::string_view both = text, width = both.substr(0, both.find('x'));
+    const std::string_view height = both.substr(std::min(both.size(), width.size() + 1));
+    const auto side = [](std::string_view side_text, int& value) {
+        return is_number(side_text, value) && value >= 1 && value <= longest_side;
+    };
+    if (!side(width, settings.width) || !side(height, settings.height)) {
+        const std::string expected = "WIDTHxHEIGHT, each from 1 to " + std::to_string(longest_side);
+        throw CLI::ValidationError("--size", "found " + text + ", expected " + expected);
+    }
+}
+
+/// Throws `CLI::ParseError`, if only to say that help was asked for.
+command_line parsed(CLI::App& app, int argc, char** argv) {
+    command_line given;
+    std::string how, samples, depths;
+    std::vector<std::string> names;
+    for (const render::integrator& i : render::integrators()) {
+        const std::string name = names.emplace_back(i.name);
+        how += "\n" + name + ": " + std::string(i.description);
+        samples += ", " + name + " " + std::to_string(i.samples);
+        depths += ", " + name + " " + std::to_string(i.depth);
+    }
+    const auto seed = [](const std::string& text) -> std::string {
+        std::uint64_t value{};
+        return is_number(text, value) ? "" : "found " + text + ", expected a whole number below 2^64";
+    };
+    const auto from_to = [](int low, int high) { return CLI::Range(low, high).description(""); };
+
+    app.add_option("SCENE", given.scene, "The scene file")->required()->type_name("FILE");
+    app.add_option("-o,--output", given.image,
+                   "The picture, .png or .ppm (default: in this folder, named as the scene)")
+        ->type_name("IMAGE");
+    app.add_option("--integrator", given.integrator, "How light is followed (default: " + given.integrator + ")" + how)
+        ->check(CLI::IsMember(names).description(""))
+        ->type_name("NAME");
+    const auto size = [&](const std::string& text) { read_size(text, given.settings); };
+    app.add_option_function<std::string>("--size", size, "Pixels (default: 800x600)")->type_name("WxH");
+    const auto* samples_given =
+        app.add_option("--samples", given.settings.samples,
+                       "Rays for each pixel, a power of two at best (default: " + samples.substr(2) + ")")
+            ->check(from_to(1, 1 << 30))
+            ->type_name("N");
+    const auto* depth_given = app.add_option("--depth", given.settings.depth,
+                                             "How often light may bounce (default: " + depths.substr(2) + ")")
+                                  ->check(from_to(0, 1000))
+                                  ->type_name("N");
+    app.add_option("--threads", given.settings.threads, "They change the time, not the picture (default: one a core)")
+        ->check(from_to(1, 1024))
+        ->type_name("N");
+    app.add_option("--seed", given.settings.seed, "Which random numbers are drawn (default: 0)")
+        ->check(seed)
+        ->type_name("N");
+    app.add_flag("--quiet", given.quiet, "No progress bar (nor is there one unless standard error is a terminal)");
+    app.parse(argc, argv);
+
+    if (samples_given->empty()) given.settings.samples = chosen_integrator(given.integrator).samples;
+    if (depth_given->empty()) given.settings.depth = chosen_integrator(given.integrator).depth;
+    if (given.image.empty()) given.image = given.scene.stem() += ".png";
+    return given;
+}
+
+void run(const command_line& given) {
+    const render::world world(render::read_scene(given.scene));
+    render::expect_writable(given.image);
+    render::progress progress(given.settings.height, given.quiet);
+    const auto picture =
+        render::rendered(world, chosen_integrator(given.integrator), given.settings, [&] { progress.step(); });
+    render::write_image(picture, given.image);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Renders a scene file: a picture of what its camera sees.", "raio-render");
+    try {
+        run(parsed(app, argc, argv));
+        return 0;
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        std::fprintf(stderr, "raio-render: %s; see raio-render --help\n", error.what());
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+    }
+    return 2;
+}

@@ -1,0 +1,52 @@
+#include "texture.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#include <stb/stb_image.h>
+
+namespace render {
+namespace {
+
+/// Which of `count` texels lies at `s` of a picture that repeats with period 1.
+std::size_t nearest(double s, int count) {
+    const double place = (s - std::floor(s)) * count;
+    if (!(place >= 0)) return 0;  // NaN: the point is infinitely far away
+    return place < count ? static_cast<std::size_t>(place) : static_cast<std::size_t>(count - 1);
+}
+
+}  // namespace
+
+color texture::at(double s, double t) const {
+    const std::size_t texel = nearest(t, height) * static_cast<std::size_t>(width) + nearest(s, width);
+    return color(texels[3 * texel], texels[3 * texel + 1], texels[3 * texel + 2]) / 255.0;
+}
+
+texture read_texture(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<char> content(std::istreambuf_iterator<char>(file), {});
+    if (content.empty()) throw std::runtime_error("cannot be read, or is empty");
+    if (content.size() > std::numeric_limits<int>::max()) throw std::runtime_error("is larger than 2 GB");
+
+    texture result;
+    int channels = 0;
+    const auto* bytes = reinterpret_cast<const stbi_uc*>(content.data());
+    const std::unique_ptr<stbi_uc, void (*)(void*)> texels(
+        stbi_load_from_memory(bytes, static_cast<int>(content.size()), &result.width, &result.height, &channels, 3),
+        stbi_image_free);
+    if (!texels) throw std::runtime_error(std::string("is not a picture that can be read: ") + stbi_failure_reason());
+    const std::size_t count = 3 * static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height);
+    result.texels.assign(texels.get(), texels.get() + count);
+    return result;
+}
+
+}  // namespace render

@@ -1,0 +1,220 @@
+#include <array>
+#include <locale>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <render/reader.hpp>
+
+#include "reader_text.hpp"
+
+namespace {
+
+using namespace render;
+
+template <class Shape>
+Shape only_shape(const std::string& description) {
+    const scene s = read({.objects = "1  0 0 " + description});
+    REQUIRE(s.objects.size() == 1);
+    REQUIRE(std::holds_alternative<Shape>(s.objects[0].shape));
+    return std::get<Shape>(s.objects[0].shape);
+}
+
+template <class Material>
+Material only_material(const std::string& description) {
+    const scene s = read({.materials = "1  " + description});
+    REQUIRE(s.materials.size() == 1);
+    REQUIRE(std::holds_alternative<Material>(s.materials[0]));
+    return std::get<Material>(s.materials[0]);
+}
+
+}  // namespace
+
+TEST_CASE("the camera is read in the order eye, look-at, up, field of view") {
+    const camera_description camera = read({.camera = "0 30 -400\n0 10 -100\n0 1 0\n60.5"}).camera;
+    CHECK(camera.eye == vec3(0, 30, -400));
+    CHECK(camera.look_at == vec3(0, 10, -100));
+    CHECK(camera.up == vec3(0, 1, 0));
+    CHECK(camera.vertical_field_of_view == 60.5);
+    CHECK(camera.aperture == 0);
+}
+
+TEST_CASE("lights have position, colour and attenuation") {
+    const auto lights = read({.lights = "2\n1 2 3  .4 .5 .6  1 0.001 0.000001\n-1 -2 -3  1 1 1  0 0 1"}).lights;
+    REQUIRE(lights.size() == 2);
+    CHECK(lights[0].position == vec3(1, 2, 3));
+    CHECK(lights[0].intensity == color(.4, .5, .6));
+    CHECK(lights[0].attenuation == std::array{1.0, 0.001, 0.000001});
+    CHECK(lights[1].position == vec3(-1, -2, -3));
+    CHECK(lights[1].attenuation == std::array{0.0, 0.0, 1.0});
+}
+
+TEST_CASE("pigments are solid, checker or texture") {
+    std::vector<std::filesystem::path> loaded;
+    const auto load = [&](const std::filesystem::path& path) {
+        loaded.push_back(path);
+        return texture{1, 1, {10, 20, 30}};
+    };
+    const scene_text text{.pigments =
+                              "4 solid .44 .25 .04\n"
+                              "checker .8 .7 .6  1 1 .9  40\n"
+                              "texture pictures/wood.png  0 0.012 0.006 0  0.013 0 0.006 1\n"
+                              "texture pictures/wood.png  1 2 3 4  5 6 7 8"};
+    const auto pigments = parse_scene(text.joined(), "scenes/test.txt", load).pigments;
+    REQUIRE(pigments.size() == 4);
+    CHECK(std::get<solid>(pigments[0]).value == color(.44, .25, .04));
+    CHECK(std::get<checker>(pigments[1]).even == color(.8, .7, .6));
+    CHECK(std::get<checker>(pigments[1]).odd == color(1, 1, .9));
+    CHECK(std::get<checker>(pigments[1]).size == 40);
+
+    const auto &first = std::get<textured>(pigments[2]), &second = std::get<textured>(pigments[3]);
+    CHECK(first.p == std::array{0.0, 0.012, 0.006, 0.0});
+    CHECK(first.q == std::array{0.013, 0.0, 0.006, 1.0});
+    CHECK(first.image->texels == std::vector<std::uint8_t>{10, 20, 30});
+    // A picture is looked for in the scene's folder, and read once.
+    CHECK(loaded == std::vector<std::filesystem::path>{"scenes/pictures/wood.png"});
+    CHECK(first.image == second.image);
+}
+
+TEST_CASE("a material of seven numbers is the course's") {
+    const auto finish = only_material<phong>("0.2 0.8 0.6 80  0.3 0.4 1.06");
+    CHECK(finish.ambient == 0.2);
+    CHECK(finish.diffuse == 0.8);
+    CHECK(finish.specular == 0.6);
+    CHECK(finish.exponent == 80);
+    CHECK(finish.reflected == 0.3);
+    CHECK(finish.transmitted == 0.4);
+    CHECK(finish.refractive_index == 1.06);
+    CHECK(only_material<phong>("1 0 0 0  0 0 0").refractive_index == 0);  // of no meaning where nothing is transmitted
+}
+
+TEST_CASE("materials may be given by name") {
+    only_material<lambertian>("lambertian");
+    CHECK(only_material<metal>("metal 0.25").fuzz == 0.25);
+    CHECK(only_material<dielectric>("dielectric 1.5").refractive_index == 1.5);
+    CHECK(only_material<emissive>("emissive 4 3 0").radiance == color(4, 3, 0));
+}
+
+TEST_CASE("objects have the pigment and material of their indices") {
+    const auto objects = read({.pigments = "2 solid 1 0 0 solid 0 1 0",
+                               .materials = "3 lambertian metal 0 1 0 0 0 0 0 0",
+                               .objects = "2  1 2 sphere 0 0 0 1  0 1 sphere 0 0 0 2"})
+                             .objects;
+    REQUIRE(objects.size() == 2);
+    CHECK(objects[0].pigment == 1);
+    CHECK(objects[0].material == 2);
+    CHECK(objects[1].pigment == 0);
+    CHECK(objects[1].material == 1);
+}
+
+TEST_CASE("every shape of the course is read") {
+    const auto sphere = only_shape<raio::sphere<number>>("sphere 1 2 3 4");
+    CHECK(sphere.center == vec3(1, 2, 3));
+    CHECK(sphere.radius == 4);
+
+    const auto plane = only_shape<raio::plane<number>>("plane 1 2 3  4 5 6");
+    CHECK(plane.point == vec3(1, 2, 3));
+    CHECK(plane.normal == vec3(4, 5, 6));
+
+    const auto circle = only_shape<raio::disc<number>>("circle 1 2 3  4 5 6  7");
+    CHECK(circle.center == vec3(1, 2, 3));
+    CHECK(circle.normal == vec3(4, 5, 6));
+    CHECK(circle.radius == 7);
+
+    const auto triangle = only_shape<raio::triangle<number>>("triangle 1 2 3  4 5 6  7 8 0");
+    CHECK(triangle.a == vec3(1, 2, 3));
+    CHECK(triangle.b == vec3(4, 5, 6));
+    CHECK(triangle.c == vec3(7, 8, 0));
+
+    const auto cylinder = only_shape<raio::cylinder<number>>("cylinder 1 2 3  0 -8 0  0.5 10");
+    CHECK(cylinder.base == vec3(1, 2, 3));
+    CHECK(cylinder.top == vec3(1, -8, 3));
+    CHECK(cylinder.radius == 0.5);
+
+    const auto polyhedron = only_shape<raio::convex_polyhedron<number>>("polyhedron 2  0 1 0 -5  1 2 3 4");
+    REQUIRE(polyhedron.planes.size() == 2);
+    CHECK(polyhedron.planes[0].normal == vec3(0, 1, 0));
+    CHECK(polyhedron.planes[0].offset == -5);
+    CHECK(polyhedron.planes[1].normal == vec3(1, 2, 3));
+    CHECK(polyhedron.planes[1].offset == 4);
+}
+
+TEST_CASE("shapes that the course has not are read") {
+    const auto disc = only_shape<raio::disc<number>>("disc 1 2 3  4 5 6  7");
+    CHECK(disc.center == vec3(1, 2, 3));
+    CHECK(disc.normal == vec3(4, 5, 6));
+    CHECK(disc.radius == 7);
+
+    const auto box = only_shape<raio::box<number>>("box -1 0 -3  1 0 3");  // flat, which is a wall
+    CHECK(box.min == vec3(-1, 0, -3));
+    CHECK(box.max == vec3(1, 0, 3));
+
+    const auto tube = only_shape<raio::open_cylinder<number>>("open_cylinder 1 2 3  0 0 2  0.5 10");
+    CHECK(tube.base == vec3(1, 2, 3));
+    CHECK(tube.top == vec3(1, 2, 13));
+    CHECK(tube.radius == 0.5);
+}
+
+TEST_CASE("statements after the objects may come in any order") {
+    const scene s = read({.statements = "aperture 0.1 12\nfog .5 .6 .7  0.01\nbackground .1 .2 .3"});
+    CHECK(s.camera.aperture == 0.1);
+    CHECK(s.camera.focus_distance == 12);
+    CHECK(s.fog.value == color(.5, .6, .7));
+    CHECK(s.fog.density == 0.01);
+    CHECK(s.background.bottom == color(.1, .2, .3));
+    CHECK(s.background.top == color(.1, .2, .3));
+
+    const scene outdoors = read({.statements = "sky 1 1 1  .5 .7 1"});
+    CHECK(outdoors.background.bottom == color(1, 1, 1));
+    CHECK(outdoors.background.top == color(.5, .7, 1));
+}
+
+TEST_CASE("objects beyond their count are left out") {
+    const scene s = read({.statements = "0 0 sphere 0 0 0 2\nbackground 1 1 1\n0 0 plane 0 0 0 0 1 0"});
+    CHECK(s.objects.size() == 1);
+    CHECK(s.background.top == color(1, 1, 1));
+}
+
+TEST_CASE("a scene without statements is black, clear and sharp") {
+    const scene s = read({});
+    CHECK(s.background.bottom == color(0));
+    CHECK(s.background.top == color(0));
+    CHECK(s.fog.density == 0);
+    CHECK(s.camera.aperture == 0);
+}
+
+TEST_CASE("sections may be empty") {
+    const scene s = read({.lights = "0", .pigments = "0", .materials = "0", .objects = "0"});
+    CHECK(s.lights.empty());
+    CHECK(s.pigments.empty());
+    CHECK(s.materials.empty());
+    CHECK(s.objects.empty());
+}
+
+TEST_CASE("any white space separates, and comments reach to the end of their line") {
+    const std::string text =
+        "# a scene\n\r\n0 0 5\r\n0 0 0\t0 1 0 # up\n60\f 0 #no light\v 7\n1 solid 1 0 0 1 lambertian\n#\n"
+        "1 0 0 sphere 0 0 0 2 # without a line's end";
+    const scene s = parse_scene(text, "test.txt", no_picture);
+    CHECK(s.camera.vertical_field_of_view == 60);
+    CHECK(s.lights.empty());
+    REQUIRE(s.objects.size() == 1);
+    CHECK(std::get<raio::sphere<number>>(s.objects[0].shape).radius == 2);
+}
+
+TEST_CASE("a byte order mark is skipped") {
+    CHECK(read({.camera = "\xef\xbb\xbf"
+                          "1 2 3  0 0 0  0 1 0  60"})
+              .camera.eye == vec3(1, 2, 3));
+}
+
+TEST_CASE("numbers are written in any common way, whatever the locale") {
+    struct comma : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+    };
+    const std::locale before = std::locale::global(std::locale(std::locale(), new comma));
+    const vec3 eye = read({.camera = "+1.5 -.5e1 7.  0 0 0  0 1 0  6E+1"}).camera.eye;
+    std::locale::global(before);
+    CHECK(eye == vec3(1.5, -5, 7));
+    CHECK(read({.camera = "1e50 1e-50 -0  0 0 0  0 1 0  60"}).camera.eye == vec3(1e50, 1e-50, 0));
+}

@@ -1,0 +1,305 @@
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <render/reader.hpp>
+
+#include "reader_text.hpp"
+
+namespace {
+
+using namespace render;
+
+struct bad_scene {
+    std::string name;
+    scene_text text;
+    std::string message;  ///< behind `scenes/test.txt:`
+};
+
+const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
+const std::string shapes = "a shape: box, circle, cylinder, disc, open_cylinder, plane, polyhedron, sphere, triangle";
+const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
+
+const bad_scene bad_camera[] = {
+    {"a word for a number", {.camera = "0 zero 5"}, "1: found 'zero', expected a number for the camera's eye"},
+    {"a number that ends in letters", {.camera = "0 5cm"}, "1: found '5cm', expected a number for the camera's eye"},
+    {"a decimal comma", {.camera = "0 0,5"}, "1: found '0,5', expected a number for the camera's eye"},
+    {"a hexadecimal number", {.camera = "0 0x5"}, "1: found '0x5', expected a number for the camera's eye"},
+    {"two signs", {.camera = "0 +-5"}, "1: found '+-5', expected a number for the camera's eye"},
+    {"NaN", {.camera = "0 nan"}, "1: found 'nan', expected a number for the camera's eye"},
+    {"infinity", {.camera = "-inf"}, "1: found '-inf', expected a number for the camera's eye"},
+    {"overflow",
+     {.camera = "1e400"},
+     "1: found '1e400', expected 0 or a magnitude from 1e-50 to 1e50 for the camera's eye"},
+    {"underflow",
+     {.camera = "1e-400"},
+     "1: found '1e-400', expected 0 or a magnitude from 1e-50 to 1e50 for the camera's eye"},
+    {"too large",
+     {.camera = "-2e50"},
+     "1: found '-2e50', expected 0 or a magnitude from 1e-50 to 1e50 for the camera's eye"},
+    {"too small",
+     {.camera = "9e-51"},
+     "1: found '9e-51', expected 0 or a magnitude from 1e-50 to 1e50 for the camera's eye"},
+    {"the eye is the point to look at",
+     {.camera = "1 2 3\n1 2 3\n0 1 0\n60"},
+     "2: found the eye again, expected another point to look at"},
+    {"no up", {.camera = "0 0 5\n0 0 0\n0 0 0\n60"}, "3: found 0 0 0, expected a direction for the camera's up"},
+    {"up along the view",
+     {.camera = "1 2 3\n0 0 0\n0.1 0.2 0.3\n60"},
+     "3: found an up along the view, expected another direction for the camera's up"},
+    {"up against the view, all of it tiny",
+     {.camera = "1e-50 0 0\n0 0 0\n-1e-50 0 0\n60"},
+     "3: found an up along the view, expected another direction for the camera's up"},
+    {"no field of view",
+     {.camera = "0 0 5\n0 0 0\n0 1 0\n0"},
+     "4: found '0', expected an angle above 0 and below 180 for the vertical field of view"},
+    {"a field of view of a half turn",
+     {.camera = "0 0 5\n0 0 0\n0 1 0\n180"},
+     "4: found '180', expected an angle above 0 and below 180 for the vertical field of view"},
+};
+
+const bad_scene bad_counts[] = {
+    {"a count that is negative",
+     {.lights = "-1"},
+     "2: found '-1', expected a whole number not below 0 for the count of lights"},
+    {"a count that is not whole",
+     {.lights = "1.0"},
+     "2: found '1.0', expected a whole number not below 0 for the count of lights"},
+    {"a word for a count",
+     {.lights = "one"},
+     "2: found 'one', expected a whole number not below 0 for the count of lights"},
+    {"a count that the file cannot hold",
+     {.lights = "4000000000 1 2 3"},
+     "2: found '4000000000', expected at most 33 lights in what is left of the file"},
+    {"a count beyond all integers",
+     {.objects = "99999999999999999999 0"},
+     "5: found '99999999999999999999', expected at most 1 objects in what is left of the file"},
+    {"a count of 300 digits",
+     {.objects = many_digits},
+     "5: found '9999999999999999999999999999999999999999...', expected at most 0 objects in what is left of the file"},
+    {"a polyhedron of too many planes",
+     {.objects = "1 0 0 polyhedron 1000000 1 2 3 4"},
+     "5: found '1000000', expected at most 4 planes of a polyhedron in what is left of the file"},
+    {"one light too many is a pigment short",
+     {.lights = "2  0 9 0  1 1 1  1 0 0"},
+     "3: found 'solid', expected a number for the position of a light"},
+    {"one light too few", {.lights = "0  1 9 0"}, "2: found '9', expected a pigment: checker, solid, texture"},
+};
+
+const bad_scene bad_looks[] = {
+    {"negative attenuation",
+     {.lights = "1  0 9 0  1 1 1  1 0 -1"},
+     "2: found '-1', expected a number not below 0 for the attenuation of a light"},
+    {"no attenuation",
+     {.lights = "1  0 9 0  1 1 1  0 0 0"},
+     "2: found 0 0 0, expected an attenuation that is not 0 everywhere"},
+    {"an unknown pigment",
+     {.pigments = "1 marble 1 0 0"},
+     "3: found 'marble', expected a pigment: checker, solid, texture"},
+    {"a checker without size",
+     {.pigments = "1 checker 1 1 1 0 0 0 0"},
+     "3: found '0', expected a number above 0 for the size of a checker"},
+    {"a texture that is not there",
+     {.pigments = "1 texture none.png 1 0 0 0 0 1 0 0"},
+     "3: found no picture in the texture 'none.png' (no such picture), expected a picture file, named from the scene's folder"},
+    {"an unknown material",
+     {.materials = "1 plastic"},
+     "4: found 'plastic', expected seven numbers or a material by name: dielectric, emissive, lambertian, metal"},
+    {"neither number nor name", {.materials = "1 ?"}, "4: found '?', expected a number for ka of a material"},
+    {"a negative exponent",
+     {.materials = "1 0 0 0 -1"},
+     "4: found '-1', expected a number not below 0 for alpha of a material"},
+    {"transmission without an index",
+     {.materials = "1 0 0 0 0 0 1 0"},
+     "4: found '0', expected a number above 0 for ior of a material"},
+    {"a fuzz above 1",
+     {.materials = "1 metal 1.5"},
+     "4: found '1.5', expected a number from 0 to 1 for the fuzz of a metal"},
+    {"a vacuum of index 0",
+     {.materials = "1 dielectric 0"},
+     "4: found '0', expected a number above 0 for the refractive index of a dielectric"},
+    {"negative light",
+     {.materials = "1 emissive 1 -1 1"},
+     "4: found '-1', expected a number not below 0 for the radiance of an emissive material"},
+};
+
+const bad_scene bad_objects[] = {
+    {"a pigment out of range",
+     {.objects = "1 1 0 sphere"},
+     "5: found '1', expected the index of a pigment, from 0 to 0"},
+    {"a material out of range",
+     {.materials = "2 lambertian lambertian", .objects = "1 0 2 sphere"},
+     "5: found '2', expected the index of a material, from 0 to 1"},
+    {"a negative index",
+     {.objects = "1 -1 0 sphere"},
+     "5: found '-1', expected a whole number not below 0 for the index of a pigment"},
+    {"an index beyond all integers",
+     {.objects = "1 99999999999999999999 0 sphere"},
+     "5: found '99999999999999999999', expected the index of a pigment, from 0 to 0"},
+    {"no pigment to choose from", {.pigments = "0"}, "5: found '0', expected no object, since there is no pigment"},
+    {"an unknown shape", {.objects = "1 0 0 cone 0 0 0 1"}, "5: found 'cone', expected " + shapes},
+    {"a shape in capitals", {.objects = "1 0 0 Sphere 0 0 0 1"}, "5: found 'Sphere', expected " + shapes},
+    {"radius 0",
+     {.objects = "1 0 0 sphere 0 0 0 0"},
+     "5: found '0', expected a number above 0 for the radius of a sphere"},
+    {"a negative radius",
+     {.objects = "1 0 0 sphere 0 0 0 -1"},
+     "5: found '-1', expected a number above 0 for the radius of a sphere"},
+    {"a plane without normal",
+     {.objects = "1 0 0 plane 0 0 0 0 0 -0"},
+     "5: found 0 0 0, expected a direction for the normal of a plane"},
+    {"a disc without normal",
+     {.objects = "1 0 0 disc 0 0 0 0 0 0 1"},
+     "5: found 0 0 0, expected a direction for the normal of a disc"},
+    {"a circle without radius",
+     {.objects = "1 0 0 circle 0 0 0 0 1 0 0"},
+     "5: found '0', expected a number above 0 for the radius of a disc"},
+    {"a triangle of equal corners",
+     {.objects = "1 0 0 triangle 0 0 0 1 1 1 1 1 1"},
+     "5: found a triangle without area, expected corners that are not on one line"},
+    {"a triangle on a line",
+     {.objects = "1 0 0 triangle 0 0 0 1 1 1 2 2 2"},
+     "5: found a triangle without area, expected corners that are not on one line"},
+    {"a cylinder without axis",
+     {.objects = "1 0 0 cylinder 0 0 0 0 0 0 1 1"},
+     "5: found 0 0 0, expected a direction for the axis of a cylinder"},
+    {"a cylinder without radius",
+     {.objects = "1 0 0 cylinder 0 0 0 0 1 0 0 1"},
+     "5: found '0', expected a number above 0 for the radius of a cylinder"},
+    {"a tube of negative height",
+     {.objects = "1 0 0 open_cylinder 0 0 0 0 1 0 1 -1"},
+     "5: found '-1', expected a number above 0 for the height of a cylinder"},
+    {"a cylinder lower than the rounding of its base",
+     {.objects = "1 0 0 cylinder 0 1e20 0 0 1 0 1 1"},
+     "5: found a height that is lost in the rounding of the base, expected a higher cylinder"},
+    {"a box inside out",
+     {.objects = "1 0 0 box 0 0 0 1 -1 1"},
+     "5: found a minimum above the maximum of a box, expected the lesser coordinates first"},
+    {"a box that is a line",
+     {.objects = "1 0 0 box 0 0 0 1 0 0"},
+     "5: found a box without area, expected sizes that are 0 along one axis at most"},
+    {"a polyhedron without planes",
+     {.objects = "1 0 0 polyhedron 0"},
+     "5: found a polyhedron without planes, expected at least one"},
+    {"a polyhedron's plane without normal",
+     {.objects = "1 0 0 polyhedron 1 0 0 0 1"},
+     "5: found 0 0 0, expected a direction for the normal of a polyhedron's plane"},
+};
+
+const bad_scene bad_statements[] = {
+    {"a wrong object beyond the count",
+     {.statements = "0 0 sphere 0 0 0 1\n0 1 sphere 0 0 0 1"},
+     "7: found '1', expected the index of a material, from 0 to 0"},
+    {"no object and no statement", {.statements = "-1"}, "6: found '-1', expected " + statements},
+    {"an unknown statement", {.statements = "\n\nmist 1 1 1 0"}, "8: found 'mist', expected " + statements},
+    {"the background twice",
+     {.statements = "background 0 0 0\nbackground 1 1 1"},
+     "7: found a second statement that sets the background, expected one at most"},
+    {"background and sky",
+     {.statements = "background 0 0 0\nsky 1 1 1 0 0 0"},
+     "7: found a second statement that sets the background, expected one at most"},
+    {"a negative background",
+     {.statements = "background 0 -1 0"},
+     "6: found '-1', expected a number not below 0 for the colour of the background"},
+    {"half a sky",
+     {.statements = "sky 1 1 1"},
+     "6: found the end of the file, expected a number not below 0 for the upper colour of the sky"},
+    {"fog that brightens",
+     {.statements = "fog 1 1 1 -1"},
+     "6: found '-1', expected a number not below 0 for the density of the fog"},
+    {"a negative aperture",
+     {.statements = "aperture -1 1"},
+     "6: found '-1', expected a number not below 0 for the diameter of the aperture"},
+    {"a focus at the eye",
+     {.statements = "aperture 1 0"},
+     "6: found '0', expected a number above 0 for the distance of the focus"},
+};
+
+const bad_scene bad_bytes[] = {
+    {"binary",
+     {.camera = std::string("\x7f"
+                            "ELF\0\x01\xff",
+                            7)},
+     "1: found '\\x7fELF\\x00\\x01\\xff', expected a number for the camera's eye"},
+    {"a line that never ends",
+     {.camera = "0 0 5 " + long_word},
+     "1: found 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...', expected a number for the point to look at"},
+    {"a comment without white space before it",
+     {.camera = "0 0#5"},
+     "1: found '0#5', expected a number for the camera's eye"},
+};
+
+std::string error_of(const std::string& text) {
+    try {
+        parse_scene(text, "scenes/test.txt", no_picture);
+    } catch (const scene_error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+template <std::size_t N>
+void check(const bad_scene (&rows)[N]) {
+    for (const bad_scene& row : rows) {
+        CAPTURE(row.name);
+        CHECK(error_of(row.text.joined()) == "scenes/test.txt:" + row.message);
+    }
+}
+
+std::string error_of_file(const std::filesystem::path& file) {
+    try {
+        read_scene(file);
+    } catch (const scene_error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("a wrong camera is named with its line") { check(bad_camera); }
+TEST_CASE("a wrong count is named with its line") { check(bad_counts); }
+TEST_CASE("a wrong light, pigment or material is named with its line") { check(bad_looks); }
+TEST_CASE("a wrong object is named with its line") { check(bad_objects); }
+TEST_CASE("a wrong statement is named with its line") { check(bad_statements); }
+TEST_CASE("bytes that are no text are shown as text") { check(bad_bytes); }
+
+TEST_CASE("an empty scene ends on its first line") {
+    const std::string message = "scenes/test.txt:1: found the end of the file, expected a number for the camera's eye";
+    CHECK(error_of("") == message);
+    CHECK(error_of("\n\n# nothing but words\n") == message);
+}
+
+TEST_CASE("a scene that is cut anywhere is refused on the line where it ends") {
+    const std::string text = scene_text{}.joined();
+    for (std::size_t size = 0; size + 3 < text.size();
+         ++size) {  // behind that only the last radius and a line's end are cut
+        const std::string cut = text.substr(0, size), message = error_of(cut);
+        CAPTURE(cut);
+        CHECK(message != "no error");
+        CHECK(message.find('\n') == message.npos);
+    }
+    CHECK(error_of(text.substr(0, text.find("1  0 0 sphere") + 13) + "\n\n\n") ==
+          "scenes/test.txt:5: found the end of the file, expected a number for the centre of a sphere");
+}
+
+TEST_CASE("a file that is no scene is refused by name") {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "raio-reader-test";
+    std::filesystem::create_directories(folder);
+    const std::string missing = (folder / "missing.txt").string(), empty = (folder / "empty.txt").string();
+    std::ofstream(empty).close();
+    CHECK(error_of_file(missing) == missing + ":1: found no such file, expected a scene file");
+    CHECK(error_of_file(folder) == folder.string() + ":1: found a directory, expected a scene file");
+    CHECK(error_of_file(empty) == empty + ":1: found the end of the file, expected a number for the camera's eye");
+    if (std::filesystem::exists("/dev/zero")) {
+        CHECK(error_of_file("/dev/zero") == "/dev/zero:1: found a device, expected a scene file");
+    }
+
+    const std::string scene = (folder / "texture.txt").string();
+    std::ofstream(scene) << scene_text{.pigments = "1\ntexture empty.txt 1 0 0 0 0 1 0 0"}.joined();
+    CHECK(error_of_file(scene) == scene +
+                                      ":4: found no picture in the texture 'empty.txt' (cannot be read, or is empty), "
+                                      "expected a picture file, named from the scene's folder");
+    std::filesystem::remove_all(folder);
+}

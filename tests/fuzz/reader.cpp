@@ -1,0 +1,40 @@
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <render/reader.hpp>
+
+/// One input of the fuzzer, and of replay.cpp: the bytes are a scene or they are refused in one line, and nothing else
+/// happens.
+
+namespace {
+
+/// No input may name a file that is then read.
+render::texture one_texel(const std::filesystem::path& path) {
+    if (path.filename() == "there.png") return {1, 1, {255, 0, 255}};
+    throw std::runtime_error("no such picture");
+}
+
+void check(bool holds) {
+    if (!holds) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    try {
+        const render::scene scene = render::parse_scene(text, "scene.txt", one_texel);
+        for (const render::object& object : scene.objects) {
+            check(object.pigment < scene.pigments.size() && object.material < scene.materials.size());
+        }
+    } catch (const render::scene_error& error) {
+        const std::string_view message = error.what();
+        check(message.starts_with("scene.txt:") && message.find(", expected ") != message.npos);
+        check(message.find('\n') == message.npos && message.size() < 1000);
+    }
+    return 0;
+}
