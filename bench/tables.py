@@ -1,0 +1,66 @@
+"""The results as Markdown tables."""
+
+NUMBERS = ("float", "double")
+PERCENTS = ("0", "50", "100")
+
+# (shape, peer, the peer's number type or None for the shape's own): what `hit` shall be no slower than
+BAR = (("sphere", "one_weekend", "double"), ("triangle", "glm", None), ("plane", "glm", None))
+
+
+def medians(results):
+    """{(shape, call, number, percent): (nanoseconds per test, does it return a normal?)}"""
+    return {tuple(entry["run_name"].split("/")): (entry["test"] * 1e9, entry["record"] > 0)
+            for entry in results["benchmarks"] if entry.get("aggregate_name", "median") == "median"}
+
+
+def calls(measured, shape):
+    return list(dict.fromkeys(key[1] for key in measured if key[0] == shape))
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|---|---|" + "---:|" * (len(head) - 2)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def cells(measured, shape, call, of=lambda nanoseconds, key: nanoseconds):
+    """One cell for each number type and percentage of hits."""
+    for number in NUMBERS:
+        for percent in PERCENTS:
+            key = (shape, call, number, percent)
+            yield f"{of(measured[key][0], key):.3g}" if key in measured else ""
+
+
+def markdown(results):
+    measured = medians(results)
+    shapes = list(dict.fromkeys(key[0] for key in measured))
+    columns = [f"{number} {percent} %" for number in NUMBERS for percent in PERCENTS]
+
+    def ratio_to(peer, peer_number=None):
+        return lambda ns, key: ns / measured[key[0], peer, peer_number or key[2], key[3]][0]
+
+    bar = [[shape, f"`{peer}`" + (f" in {number}" if number else "")]
+           + list(cells(measured, shape, "hit", ratio_to(peer, number)))
+           for shape, peer, number in BAR if shape in shapes]
+    ratios, times = [], []
+    for shape in shapes:
+        for call in calls(measured, shape):
+            returns_normal = measured[shape, call, "float", "50"][1]
+            name = f"**{call}**" if call in ("hit", "occluded") else f"`{call}`"
+            times.append([shape, name] + list(cells(measured, shape, call)))
+            if call in ("hit", "occluded"):
+                continue
+            ours = "hit" if returns_normal else "occluded"
+            ratios.append([shape, f"{ours} / `{call}`"] + list(cells(measured, shape, ours, ratio_to(call))))
+    rate = [[shape, "**hit**"] + list(cells(measured, shape, "hit", lambda ns, key: 1e3 / ns)) for shape in shapes]
+
+    context = results["context"]
+    return "\n\n".join([
+        f"{context['num_cpus']} cores at {context['mhz_per_cpu'] / 1000:.1f} GHz, {context['date'][:10]}.",
+        "`hit`, with its record filled, over the peers that it shall not be slower than:",
+        table(["shape", "peer"] + columns, bar),
+        "`hit` over the peers that find a normal, `occluded` over those that do not:",
+        table(["shape", "ratio"] + columns, ratios),
+        "Nanoseconds per test:",
+        table(["shape", "call"] + columns, times),
+        "Million rays per second:",
+        table(["shape", "call"] + columns, rate)]) + "\n"
