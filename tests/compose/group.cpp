@@ -1,0 +1,123 @@
+#include <raio/compose/group.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <raio/shape/box.hpp>
+#include <raio/shape/plane.hpp>
+#include <raio/shape/sphere.hpp>
+#include <raio/shape/triangle.hpp>
+
+#include "support/random.hpp"
+
+namespace raio::test {
+
+TEST_CASE_TEMPLATE("group: the nearest is hit, and counted through all members", T, float, double) {
+    const plane<T> floor{{0, 0, -9}, {0, 0, 1}};
+    const std::vector<sphere<T>> spheres{{{0, 0, 0}, 1}, {{5, 0, 0}, 1}, {{0, 0, 3}, 1}};
+    const std::array<box<T>, 2> boxes{{{{4, -1, -1}, {6, 1, 3}}, {{-6, -1, -1}, {-4, 1, 1}}}};
+    const group scene{floor, spheres, boxes, triangle<T>{{9, 0, 0}, {10, 0, 0}, {9, 1, 0}}};
+
+    struct expected {
+        T x;
+        std::uint32_t index;
+        T t;
+    };
+    for (const expected& e : {expected{0, 3, 6}, {5, 4, 7}, {-5, 5, 9}, {T(9.25), 6, 10}, {T(20), 0, 19}}) {
+        const ray<T> down{{e.x, T(0.0), 10}, {0, 0, -1}};
+        hit_record<T> rec;
+        REQUIRE(scene.hit(down, T(0), infinity<T>, rec));
+        CHECK(rec.t == e.t);
+        CHECK(rec.index == e.index);
+        CHECK(scene.occluded(down, T(0), infinity<T>));
+        CHECK(scene.occluded(down, e.t, e.t));
+        CHECK(!scene.occluded(down, T(0), std::nextafter(e.t, T(0))));
+    }
+}
+
+TEST_CASE_TEMPLATE("group: of equally near ones the first", T, float, double) {
+    const sphere<T> sphere{{0, 0, 0}, 1};
+    const box<T> box{{-1, -1, -1}, {1, 1, 1}};
+    const ray<T> down{{0, 0, 5}, {0, 0, -1}};
+    hit_record<T> rec;
+    REQUIRE(group{sphere, box}.hit(down, T(0), infinity<T>, rec));
+    CHECK((rec.index == 0 && rec.uv != vec2<T>(0.5)));
+    REQUIRE(group{box, sphere}.hit(down, T(0), infinity<T>, rec));
+    CHECK((rec.index == 0 && rec.uv == vec2<T>(0.5)));
+    REQUIRE(group{std::vector{sphere, sphere, sphere}}.hit(down, T(0), infinity<T>, rec));
+    CHECK(rec.index == 0);
+}
+
+TEST_CASE_TEMPLATE("group: a miss touches nothing", T, float, double) {
+    const group scene{sphere<T>{{0, 0, 0}, 1}, std::vector<box<T>>{}};
+    const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
+    hit_record<T> rec{7, vec3<T>(7), vec3<T>(7), vec2<T>(7), vec3<T>(7), 7, true};
+    CHECK(!scene.hit(ahead, T(7), infinity<T>, rec));
+    CHECK(!scene.hit(ahead, T(0), T(3), rec));
+    CHECK(!scene.hit(ahead, std::numeric_limits<T>::quiet_NaN(), infinity<T>, rec));
+    CHECK(!scene.hit(ahead, T(0), std::numeric_limits<T>::quiet_NaN(), rec));
+    CHECK(!scene.hit({{0, 0, 5}, {0, 0, 0}}, T(0), infinity<T>, rec));
+    CHECK((rec.t == T(7) && rec.point == vec3<T>(7) && rec.index == 7 && rec.front_face && rec.error == vec3<T>(7)));
+}
+
+TEST_CASE_TEMPLATE("group: without members nothing is hit", T, float, double) {
+    const group scene{std::vector<sphere<T>>{}, std::span<const box<T>>{}};
+    hit_record<T> rec;
+    CHECK(!scene.hit({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
+    CHECK(!scene.occluded({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>));
+    CHECK(!scene.bounds().contains({0, 0, 0}));
+}
+
+TEST_CASE_TEMPLATE("group: a group within it counts as one, and keeps to its window", T, float, double) {
+    const group<std::vector<sphere<T>>> inner{std::vector<sphere<T>>{{{0, 0, 0}, 1}, {{0, 0, 4}, 1}}};
+    const group scene{sphere<T>{{0, 0, -9}, 1}, inner, std::vector(2, inner)};
+    hit_record<T> rec;
+    REQUIRE(scene.hit({{0, 0, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
+    CHECK((rec.t == T(4) && rec.index == 1));
+    REQUIRE(scene.hit({{0, 0, 9}, {0, 0, -1}}, T(11), infinity<T>, rec));
+    CHECK((rec.t == T(17) && rec.index == 0));
+}
+
+TEST_CASE_TEMPLATE("group: bounds hold every member", T, float, double) {
+    const aabb<T> bounds = group{sphere<T>{{-5, 0, 0}, 1}, std::vector<box<T>>{{{0, 0, 0}, {1, 2, 3}}}}.bounds();
+    CHECK((bounds.contains({-6, -1, -1}) && bounds.contains({1, 2, 3})));
+    CHECK((!bounds.contains({T(-6.01), 0, 0}) && !bounds.contains({0, 0, T(3.01)})));
+}
+
+TEST_CASE_TEMPLATE("group: as the loop over its members", T, float, double) {
+    random_numbers random(9);
+    const auto anywhere = [&] { return vec3<T>(random.direction() * random.uniform(0, 10)); };
+    std::vector<sphere<T>> spheres;
+    std::vector<triangle<T>> triangles;
+    for (int i = 0; i < 20; ++i) {
+        spheres.push_back({anywhere(), static_cast<T>(random.uniform(0.1, 2))});
+        triangles.push_back({anywhere(), anywhere(), anywhere()});
+    }
+    const group scene{spheres, std::span<const triangle<T>>(triangles)};
+    for (int i = 0; i < 10'000; ++i) {
+        const ray<T> ray{anywhere(), anywhere()};
+        hit_record<T> rec, nearest, candidate;
+        bool found = false;
+        std::uint32_t index = 0;
+        const auto ask = [&](const auto& shape) {
+            if (shape.hit(ray, T(0), infinity<T>, candidate) && (!found || candidate.t < nearest.t)) {
+                nearest = candidate, nearest.index = index, found = true;
+            }
+            ++index;
+        };
+        for (const auto& sphere : spheres) ask(sphere);
+        for (const auto& triangle : triangles) ask(triangle);
+        REQUIRE(scene.hit(ray, T(0), infinity<T>, rec) == found);
+        REQUIRE(scene.occluded(ray, T(0), infinity<T>) == found);
+        if (!found) continue;
+        REQUIRE((rec.t == nearest.t && rec.index == nearest.index && rec.front_face == nearest.front_face));
+        REQUIRE((rec.point == nearest.point && rec.normal == nearest.normal && rec.uv == nearest.uv));
+    }
+}
+
+static_assert(group{box<double>{{-1, -1, -1}, {1, 1, 1}}}.occluded({{0, 0, 5}, {0, 0, -1}}, 0, 9));
+
+}  // namespace raio::test

@@ -1,0 +1,49 @@
+#include <raio/concepts.hpp>
+
+#include <span>
+#include <vector>
+
+#include <raio/raio.hpp>
+
+// What the documentation says of each shape.
+namespace raio::test {
+
+template <class T>
+struct who_is_what {
+    static_assert(primitive<sphere<T>> && bounded<sphere<T>> && solid<sphere<T>> && sampleable<sphere<T>>);
+    static_assert(primitive<plane<T>> && bounded<plane<T>> && !solid<plane<T>> && !sampleable<plane<T>>);
+    static_assert(primitive<disc<T>> && bounded<disc<T>> && !solid<disc<T>> && sampleable<disc<T>>);
+    static_assert(primitive<triangle<T>> && bounded<triangle<T>> && !solid<triangle<T>> && sampleable<triangle<T>>);
+    static_assert(primitive<watertight_triangle<T>> && bounded<watertight_triangle<T>>);
+    static_assert(!solid<watertight_triangle<T>> && sampleable<watertight_triangle<T>>);
+    static_assert(primitive<box<T>> && bounded<box<T>> && solid<box<T>> && sampleable<box<T>>);
+    static_assert(primitive<cylinder<T>> && bounded<cylinder<T>> && solid<cylinder<T>>);
+    static_assert(primitive<open_cylinder<T>> && bounded<open_cylinder<T>>);
+    static_assert(!solid<open_cylinder<T>> && sampleable<open_cylinder<T>>);
+    static_assert(primitive<convex_polyhedron<T>> && bounded<convex_polyhedron<T>> && solid<convex_polyhedron<T>>);
+    static_assert(primitive<convex_polyhedron<T, std::span<const half_space<T>>>>);
+    static_assert(primitive<group<sphere<T>, std::vector<box<T>>>> && bounded<group<sphere<T>, std::vector<box<T>>>>);
+    static_assert(!solid<group<sphere<T>>> && !sampleable<group<sphere<T>>>);
+
+    // Plain data: no constructor hides work, nothing is virtual.
+    static_assert(std::is_aggregate_v<sphere<T>> && std::is_aggregate_v<plane<T>> && std::is_aggregate_v<disc<T>>);
+    static_assert(std::is_aggregate_v<triangle<T>> && std::is_aggregate_v<watertight_triangle<T>>);
+    static_assert(std::is_aggregate_v<box<T>> && std::is_aggregate_v<cylinder<T>> && std::is_aggregate_v<ray<T>>);
+    static_assert(std::is_trivially_copyable_v<sphere<T>> && std::is_trivially_copyable_v<hit_record<T>>);
+    static_assert(sizeof(sphere<T>) == 4 * sizeof(T) && sizeof(triangle<T>) == 9 * sizeof(T));
+
+    /// What answers the two questions is a primitive, whoever wrote it.
+    struct nothing {
+        using number = T;
+        bool hit(const ray<T>&, T, T, hit_record<T>&) const { return false; }
+        bool occluded(const ray<T>&, T, T) const { return false; }
+    };
+    static_assert(primitive<nothing> && !bounded<nothing> && !solid<nothing> && !sampleable<nothing>);
+    static_assert(primitive<group<nothing, sphere<T>>> && !bounded<group<nothing, sphere<T>>>);
+};
+template struct who_is_what<float>;
+template struct who_is_what<double>;
+
+static_assert(!primitive<int> && !primitive<vec3<float>> && !primitive<aabb<float>> && !primitive<ray<double>>);
+
+}  // namespace raio::test

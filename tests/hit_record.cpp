@@ -1,0 +1,55 @@
+#include <raio/hit_record.hpp>
+
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+
+namespace raio::test {
+
+template <class T>
+hit_record<T> record_on_floor() {
+    const T error = std::numeric_limits<T>::epsilon();
+    return {T(3), {T(1), T(2), T(-5)}, {T(0), T(1), T(0)}, {T(0.5), T(0.25)}, vec3<T>(error), 7, true};
+}
+
+TEST_CASE_TEMPLATE("spawn_ray: starts on the side that the direction goes to, more than the error away", T, float,
+                   double) {
+    const hit_record<T> rec = record_on_floor<T>();
+    const vec3<T> up(T(3), T(1), T(0)), down(T(3), T(-1), T(0));
+    CHECK(spawn_ray(rec, up).direction == up);
+    CHECK(spawn_ray(rec, up).origin.y > rec.point.y + rec.error.y);
+    CHECK(spawn_ray(rec, down).origin.y < rec.point.y - rec.error.y);
+    CHECK(spawn_ray(rec, up).origin.x == rec.point.x);  // a wall beside it comes no nearer
+    CHECK(spawn_ray(rec, up).origin.z == rec.point.z);
+}
+
+TEST_CASE_TEMPLATE("spawn_ray: moves by the size of the error, no matter where or how large", T, float, double) {
+    for (const T scale : {T(1e-6), T(1), T(1e6)}) {
+        hit_record<T> rec = record_on_floor<T>();
+        rec.point *= scale, rec.error *= scale;
+        rec.normal = {T(0.6), T(0), T(-0.8)};
+        const vec3<T> moved = spawn_ray(rec, rec.normal).origin - rec.point;
+        CHECK(dot(moved, rec.normal) >= dot(abs(rec.normal), rec.error));
+        CHECK(length(moved) < T(16) * std::numeric_limits<T>::epsilon() * scale * T(5));
+        CHECK(dot(spawn_ray(rec, -rec.normal).origin - rec.point, rec.normal) <= -dot(abs(rec.normal), rec.error));
+    }
+}
+
+TEST_CASE_TEMPLATE("spawn_ray: moves off a point at the origin that is exact", T, float, double) {
+    hit_record<T> rec = record_on_floor<T>();
+    rec.point = rec.error = vec3<T>(0);
+    CHECK(spawn_ray(rec, vec3<T>(0, 1, 0)).origin.y > T(0));
+    CHECK(spawn_ray(rec, vec3<T>(0, -1, 0)).origin.y < T(0));
+}
+
+TEST_CASE_TEMPLATE("assign: takes over all or nothing", T, float, double) {
+    const hit_record<T> rec = record_on_floor<T>();
+    hit_record<T> to;
+    assign(false, to, rec);
+    CHECK((to.t == T(0) && to.index == 0 && !to.front_face && to.point == vec3<T>(0)));
+    assign(true, to, rec);
+    CHECK((to.t == rec.t && to.point == rec.point && to.normal == rec.normal && to.uv == rec.uv));
+    CHECK((to.error == rec.error && to.index == rec.index && to.front_face == rec.front_face));
+}
+
+}  // namespace raio::test

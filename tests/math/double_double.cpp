@@ -1,0 +1,91 @@
+#include <raio/math/double_double.hpp>
+
+#include <doctest/doctest.h>
+
+#include "support/oracle.hpp"
+#include "support/random.hpp"
+
+namespace raio::test {
+
+/// Of any sign and size between 1e-30 and 1e30, all its bits in use.
+double_double random_double_double(random_numbers& random) {
+    const double high = (random.one_in(2) ? -1 : 1) * random.log_uniform(1e-30, 1e30);
+    return double_double(high) + double_double(high * random.uniform(-0x1p-54, 0x1p-54));
+}
+
+double error_of(double_double result, const oracle& exact, const oracle& scale) {
+    return rounded<double>(abs(exactly(result) - exact) / abs(scale));
+}
+
+TEST_CASE("double_double: the error of every operation is below 2^-100") {
+    random_numbers random(1);
+    double sum = 0, difference = 0, product = 0, quotient = 0, root = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const double_double a = random_double_double(random);
+        // Every other pair cancels.
+        const double_double b =
+            random.one_in(2) ? random_double_double(random) : a * double_double(random.uniform(0.5, 2));
+        const oracle x = exactly(a), y = exactly(b), larger = max(abs(x), abs(y));
+        sum = std::max(sum, error_of(a + b, x + y, larger));
+        difference = std::max(difference, error_of(a - b, x - y, larger));
+        product = std::max(product, error_of(a * b, x * y, x * y));
+        quotient = std::max(quotient, error_of(a / b, x / y, x / y));
+        root = std::max(root, error_of(sqrt(abs(a)), sqrt(abs(x)), sqrt(abs(x))));
+    }
+    CHECK(sum < 0x1p-100);
+    CHECK(difference < 0x1p-100);
+    CHECK(product < 0x1p-100);
+    CHECK(quotient < 0x1p-100);
+    CHECK(root < 0x1p-100);
+}
+
+TEST_CASE("double_double: sums and products of doubles have no error") {
+    random_numbers random(2);
+    for (int i = 0; i < 100'000; ++i) {
+        const double a = random.uniform(-1, 1), b = random.log_uniform(1e-15, 1);
+        REQUIRE(exactly(double_double(a) + double_double(b)) == oracle(a) + oracle(b));
+        REQUIRE(exactly(double_double(a) * double_double(b)) == oracle(a) * oracle(b));
+    }
+}
+
+TEST_CASE("double_double: compares, rounds and changes signs like a number") {
+    const double_double one(1), more = one + double_double(0x1p-80), less = one - double_double(0x1p-80);
+    CHECK((less < one && one < more && more > less && one <= one && one >= one && one == one && one != more));
+    CHECK((-more < -one && abs(-more) == more && abs(less) == less));
+    CHECK(floor(more) == one);
+    CHECK(floor(less) == double_double(0));
+    CHECK(floor(double_double(-2.5)) == double_double(-3));
+    CHECK(floor(double_double(0x1p70) - double_double(0.5)) == double_double(0x1p70) - one);
+    CHECK(copysign(more, double_double(-0.0)) == -more);
+    CHECK(static_cast<double>(more) == 1);
+    CHECK(exactly(more) == oracle(1) + oracle(0x1p-80));
+}
+
+TEST_CASE("double_double: becomes a float by one rounding") {
+    const double_double middle(1 + 0x1p-24), bit(0x1p-80);
+    CHECK(static_cast<float>(middle) == 1);
+    CHECK(static_cast<float>(middle + bit) == 1 + 0x1p-23f);
+    CHECK(static_cast<float>(middle - bit) == 1);
+    const double_double odd_middle(1 + 0x1p-23 + 0x1p-24);
+    CHECK(static_cast<float>(odd_middle) == 1 + 0x1p-22f);
+    CHECK(static_cast<float>(odd_middle - bit) == 1 + 0x1p-23f);
+    CHECK(static_cast<float>(-middle - bit) == -1 - 0x1p-23f);
+    CHECK(static_cast<float>(double_double(0x1p1000)) == std::numeric_limits<float>::infinity());
+}
+
+TEST_CASE("double_double: what is not finite stays so, and a NaN compares with nothing") {
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double_double inf(infinite), nan(std::numeric_limits<double>::quiet_NaN()), one(1), huge(1e300);
+    for (const double_double& x : {inf + one, one - inf, inf * one, huge * huge, nan + one, nan * one, inf - inf}) {
+        CHECK(!std::isfinite(static_cast<double>(x)));
+    }
+    CHECK((inf / one == inf && -inf < one && one < inf && sqrt(inf) == inf &&
+           sqrt(double_double(0)) == double_double(0)));
+    CHECK((!(nan == nan) && !(nan < one) && !(one < nan) && !(nan >= one) && !(nan <= one) && nan != nan));
+    CHECK(std::isnan(static_cast<double>(sqrt(-one))));
+}
+
+constexpr double_double third = double_double(1) / double_double(3);
+static_assert(abs(third * double_double(3) - double_double(1)) < double_double(0x1p-100));
+
+}  // namespace raio::test

@@ -1,0 +1,26 @@
+#include <raio/math/vec.hpp>
+
+#include <doctest/doctest.h>
+
+#include "support/oracle.hpp"
+
+namespace raio::test {
+
+static_assert(dot(vec3<double>(1, 2, 3), vec3<double>(4, -5, 6)) == 12);
+static_assert(cross(vec3<float>(1, 0, 0), vec3<float>(0, 1, 0)) == vec3<float>(0, 0, 1));
+static_assert(cross(vec3<float>(1, 2, 3), vec3<float>(2, 3, 5)) == vec3<float>(1, 1, -1));
+static_assert(norm1(vec3<double>(1, -2, 3)) == 6);
+static_assert(std::same_as<vec3<float>, glm::vec3> && std::same_as<vec2<double>, glm::dvec2>);
+
+TEST_CASE_TEMPLATE("vec: lengths and signs", T, float, double, oracle) {
+    const vec3<T> v(T(2), T(-3), T(6));
+    CHECK((length(v) == T(7)));
+    CHECK((abs(v).y == T(3)));
+    CHECK((norm1(v) == T(11)));
+    CHECK((abs(normalize(v).x * T(7) - T(2)) <= T(16 * unit_roundoff<T>)));
+    CHECK((abs(length(normalize(v)) - T(1)) <= T(4 * unit_roundoff<T>)));
+    CHECK((select(true, v, -v).x == T(2)));
+    CHECK((select(false, v, -v).x == T(-2)));
+}
+
+}  // namespace raio::test

@@ -1,0 +1,114 @@
+#include <raio/shape/box.hpp>
+
+#include "support/cases.hpp"
+
+namespace raio::test {
+
+template <class T>
+struct subject<box<T>> {
+    static auto fields(auto& s) { return std::tie(s.min, s.max); }
+
+    /// One in four is flat or nearly so.
+    static box<T> random(random_numbers& random, double size, const vec3<double>& place) {
+        vec3<double> half(size * random.uniform(0.1, 1), size * random.uniform(0.1, 1), size * random.uniform(0.1, 1));
+        if (random.one_in(4)) half[random.integer(0, 2)] *= random.one_in(2) ? 0 : 1e-6;
+        return {vec3<T>(place - half), vec3<T>(place + half)};
+    }
+    /// Of three small whole numbers each, the smaller ones first.
+    static box<T> lattice(random_numbers& random) {
+        box<T> s{};
+        for (glm::length_t i = 0; i < 3; ++i) {
+            s.min[i] = T(random.integer(-3, 2));
+            s.max[i] = s.min[i] + T(random.integer(0, 3));
+        }
+        return s;
+    }
+    static vec3<double> at(const box<T>& s, double x, double y, double z) {
+        return to_double(s.min) + (to_double(s.max) - to_double(s.min)) * vec3<double>(x, y, z);
+    }
+    static vec3<double> inner_point(const box<T>& s, random_numbers& random) {
+        return at(s, random.uniform(0.01, 0.99), random.uniform(0.01, 0.99), random.uniform(0.01, 0.99));
+    }
+    /// On an edge, or a vertex.
+    static vec3<double> special_point(const box<T>& s, const vec3<double>&, random_numbers& random) {
+        vec3<double> corner(random.integer(0, 1), random.integer(0, 1), random.integer(0, 1));
+        if (random.one_in(2)) corner[random.integer(0, 2)] = random.uniform();
+        return at(s, corner.x, corner.y, corner.z);
+    }
+    static oracle distance(const box<oracle>& s, const vec3<oracle>& p) {
+        oracle above = -infinity<oracle>;
+        for (glm::length_t i = 0; i < 3; ++i) above = max(above, max(oracle(s.min[i] - p[i]), oracle(p[i] - s.max[i])));
+        return above;
+    }
+    static box<oracle> grown(const box<oracle>& s) {
+        const vec3<oracle> more = (s.max - s.min) * oracle(1e-40);
+        return {s.min - more, s.max + more};
+    }
+};
+
+TEST_CASE_TEMPLATE("box: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const box<T> cube{{-1, -1, -1}, {1, 1, 1}}, unit{{0, 0, 0}, {1, 1, 1}};
+    const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
+    check_cases<box<T>>({
+        {"+z", cube, ahead, enters(4)},
+        {"-z", cube, {{0.5, 0.25, -5}, {0, 0, 1}}, enters(4)},
+        {"+y", cube, {{0, 3, 0}, {0, -1, 0}}, enters(2)},
+        {"-y", cube, {{0, -3, 0}, {0, 1, 0}}, enters(2)},
+        {"+x", cube, {{3, 0, 0}, {-1, 0, 0}}, enters(2)},
+        {"-x", cube, {{-3, 0, 0}, {1, 0, 0}}, enters(2)},
+        {"behind the ray", cube, {{0, 0, 5}, {0, 0, 1}}, misses},
+        {"from inside", cube, {{0.5, 0, 0}, {1, 0, 0}}, leaves(0.5)},
+        {"from inside, oblique", cube, {{0, 0, 0}, {1, 2, 4}}, leaves(0.25)},
+        {"beside the box", cube, {{1.5, 0, 5}, {0, 0, -1}}, misses},
+        {"past the corner", cube, {{3, 0, 0}, {-1, 1, 0}}, misses},
+        {"through two corners", cube, {{2, 2, 2}, {-1, -1, -1}}, enters(1)},
+        {"touches a corner", cube, {{1, 2, 2}, {0, -1, -1}}, enters(1)},
+        {"touches a corner on its way past", cube, {{2, 0, 1}, {-1, 1, 0}}, enters(1)},
+        {"touches an edge", cube, {{2, 0, 0}, {-1, 1, 0}}, enters(1)},
+        {"touches an edge where t is a third", unit, {{-1, 2, 0.5}, {3, -3, 0}}, enters(1.0 / 3)},
+        {"touches an edge where t is three sevenths", unit, {{-3, 4, 0.5}, {7, -7, 0}}, enters(3.0 / 7)},
+        {"along an edge", cube, {{1, 1, 5}, {0, 0, -1}}, enters(4)},
+        {"one number beyond the edge", cube, {{1, 1 + eps, 5}, {0, 0, -1}}, misses},
+        {"in a face (0 * inf)", cube, {{1, 0, 5}, {0, 0, -1}}, enters(4)},
+        {"in a face, with -0 (0 * -inf)", cube, {{1, 0, 5}, {-0.0, -0.0, -1}}, enters(4)},
+        {"in a lower face", cube, {{-1, 0.5, 5}, {0, 0, -1}}, enters(4)},
+        {"in a lower face, with -0", cube, {{-1, -1, 5}, {-0.0, 0, -1}}, enters(4)},
+        {"one number beyond the face", cube, {{1 + eps, 0, 5}, {0, 0, -1}}, misses},
+        {"parallel to faces, outside", cube, {{2, 0, 0}, {-0.0, 1, 0}}, misses},
+        {"from a face outwards", cube, {{1, 0, 0}, {1, 0, 0}}, leaves(0)},
+        {"from a face inwards", cube, {{1, 0, 0}, {-1, 0, 0}}, enters(0)},
+        {"from a face inwards, later", cube, {{1, 0, 0}, {-1, 0, 0}}, leaves(2), 0x1p-60},
+        {"from a face along it", cube, {{1, 0, 0}, {0, 1, 0}}, leaves(1)},
+        {"flat box", {{-1, -1, 0}, {1, 1, 0}}, ahead, enters(5)},
+        {"flat box, on its rim", {{-1, -1, 0}, {1, 1, 0}}, {{1, 1, 5}, {0, 0, -1}}, enters(5)},
+        {"flat box, along it", {{-1, -1, 0}, {1, 1, 0}}, {{5, 0, 0}, {-1, 0, 0}}, enters(4)},
+        {"box as thin as a line", {{0, 0, -1}, {0, 0, 1}}, {{5, 0, 0}, {-1, 0, 0}}, misses},
+        {"box as small as a point", {{0, 0, 0}, {0, 0, 0}}, ahead, misses},
+        {"inverted box", {{1, 1, 1}, {-1, -1, -1}}, ahead, misses},
+        {"box inverted along one axis", {{-1, -1, 1}, {1, 1, -1}}, ahead, misses},
+        {"box that was never filled", {vec3<T>(infinity<T>), vec3<T>(-infinity<T>)}, ahead, misses},
+        {"direction zero, from inside", cube, {{0, 0, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", cube, ahead, leaves(6), 4.5},
+        {"both crossings behind the window", cube, ahead, misses, 0, 3.5},
+        {"window between the crossings", cube, ahead, misses, 4.5, 5.5},
+        {"window ends at the first crossing", cube, ahead, enters(4), 0, 4},
+        {"window that is not a number", cube, ahead, misses, nan<T>},
+        {"direction of length 1e-20", cube, {{0, 0, 5}, {0, 0, -0x1p-66}}, enters(0x1p68)},
+        {"direction of length 1e20", cube, {{0, 0, 5}, {0, 0, -0x1p66}}, enters(0x1p-64)},
+    });
+}
+
+TEST_CASE_TEMPLATE("box: properties of every shape", T, float, double) { check_properties<box<T>>(); }
+
+TEST_CASE_TEMPLATE("box: as exact arithmetic", T, float, double) {
+    check_oracle<box<T>>();
+    check_accuracy<box<T>>(normal_run);
+    check_bounds_of_errors<box<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("box: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+    check_accuracy<box<T>>(nightly_run);
+}
+
+}  // namespace raio::test

@@ -1,0 +1,192 @@
+#include <raio/shape/cylinder.hpp>
+
+#include "support/cases.hpp"
+
+namespace raio::test {
+
+/// What the tests know of both cylinders.
+template <class Cylinder>
+struct cylinder_subject {
+    using T = number_t<Cylinder>;
+
+    static auto fields(auto& s) { return std::tie(s.base, s.top, s.radius); }
+
+    static Cylinder random(random_numbers& random, double size, const vec3<double>& place) {
+        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.1, 10));
+        return {vec3<T>(place), vec3<T>(place + axis), static_cast<T>(size * random.log_uniform(0.1, 1))};
+    }
+    /// A point at a height of 0 to 1 of the axis, so many radii from it.
+    static vec3<double> at(const Cylinder& s, double height, double rho, random_numbers& random) {
+        const vec3<double> axis = to_double(s.top) - to_double(s.base);
+        return to_double(s.base) + axis * height + random.perpendicular(axis) * (rho * static_cast<double>(s.radius));
+    }
+    /// On a rim, on the axis, on the side, or where the side is a silhouette.
+    static vec3<double> special_point(const Cylinder& s, const vec3<double>& from, random_numbers& random) {
+        const double height = random.uniform();
+        switch (random.integer(0, 3)) {
+            case 0:
+                return at(s, random.integer(0, 1), 1, random);
+            case 1:
+                return at(s, height, 0, random);
+            case 2:
+                return at(s, height, 1, random);
+            default:
+                break;
+        }
+        const vec3<double> axis = to_double(s.top) - to_double(s.base);
+        const vec3<double> center = to_double(s.base) + axis * height;
+        const vec3<double> across = normalize(cross(axis, cross(axis, from - center)));  // away from the eye
+        const double r = static_cast<double>(s.radius), sine = -r / dot(across, from - center);
+        if (sine > 1) return center;
+        return center - across * (r * sine) + normalize(cross(axis, across)) * (r * std::sqrt(1 - sine * sine));
+    }
+    struct cylindrical {
+        oracle beyond_side, beyond_caps;  ///< negative inside
+    };
+    static cylindrical coordinates(const auto& s, const vec3<oracle>& p) {
+        const vec3<oracle> axis = s.top - s.base, from_base = p - s.base;
+        const oracle size = length(axis), height = dot(from_base, axis) / size;
+        return {length(cross(from_base, axis)) / size - s.radius, max(oracle(-height), oracle(height - size))};
+    }
+    static auto grown(auto s) {
+        const vec3<oracle> more = (s.top - s.base) * oracle(1e-40);
+        s.base -= more;
+        s.top += more;
+        s.radius *= 1 + oracle(1e-40);
+        return s;
+    }
+};
+
+template <class T>
+struct subject<cylinder<T>> : cylinder_subject<cylinder<T>> {
+    using cylinder_subject<cylinder<T>>::at;
+
+    static vec3<double> inner_point(const cylinder<T>& s, random_numbers& random) {
+        return at(s, random.uniform(0.01, 0.99), random.uniform(0, 0.99), random);
+    }
+    static oracle distance(const cylinder<oracle>& s, const vec3<oracle>& p) {
+        const auto [side, caps] = cylinder_subject<cylinder<T>>::coordinates(s, p);
+        return max(side, caps);
+    }
+};
+
+template <class T>
+struct subject<open_cylinder<T>> : cylinder_subject<open_cylinder<T>> {
+    using cylinder_subject<open_cylinder<T>>::at;
+
+    static vec3<double> inner_point(const open_cylinder<T>& s, random_numbers& random) {
+        return at(s, random.uniform(0.01, 0.99), 1, random);
+    }
+    static oracle distance(const open_cylinder<oracle>& s, const vec3<oracle>& p) {
+        const auto [side, caps] = cylinder_subject<open_cylinder<T>>::coordinates(s, p);
+        return max(oracle(abs(side)), caps);
+    }
+};
+
+TEST_CASE_TEMPLATE("cylinder: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const cylinder<T> unit{{0, -1, 0}, {0, 1, 0}, 1}, wide{{0, 0, 0}, {0, 0, 4}, 5};
+    const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
+    check_cases<cylinder<T>>({
+        {"the side", unit, ahead, enters(4)},
+        {"the side, off the axis", wide, {{-10, 3, 1}, {1, 0, 0}}, enters(6)},
+        {"the side, obliquely", unit, {{-3, -1, 0}, {4, 1, 0}}, enters(0.5)},
+        {"behind the ray", unit, {{0, 0, 5}, {0, 0, 1}}, misses},
+        {"from inside to the side", unit, {{0, 0.5, 0}, {1, 0, 0}}, leaves(1)},
+        {"from inside to a cap", unit, {{0.5, 0.5, 0}, {0, 1, 0}}, leaves(0.5)},
+        {"the top, along the axis", unit, {{0, 5, 0}, {0, -1, 0}}, enters(4)},
+        {"the base, along the axis", unit, {{0, -5, 0}, {0, 1, 0}}, enters(4)},
+        {"the top, parallel to the axis", unit, {{0.5, 5, 0.5}, {-0.0, -1, 0}}, enters(4)},
+        {"the top, obliquely", unit, {{0, 2, 0}, {0.5, -1, 0}}, enters(1)},
+        {"in through the top, out through the side", unit, {{0, 2, 0}, {1, -1.5, 0}}, leaves(1), 0.75},
+        {"parallel to the axis, outside (0 / 0)", unit, {{2, 5, 0}, {0, -1, 0}}, misses},
+        {"parallel to the axis, on the surface (0 / 0)", unit, {{1, 5, 0}, {0, -1, 0}}, enters(4)},
+        {"parallel to the axis, on the surface, off the axes", wide, {{3, 4, 9}, {0, 0, -1}}, enters(5)},
+        {"parallel to the axis, one number beyond the surface", unit, {{1 + eps, 5, 0}, {0, -1, 0}}, misses},
+        {"one number from parallel, inside", unit, {{0, 5, 0}, {0x1p-60, -1, 0}}, enters(4)},
+        {"one number from parallel, on the surface", unit, {{1, 5, 0}, {0x1p-60, -1, 0}}, misses},
+        {"one number from parallel, into the surface", unit, {{1, 5, 0}, {-0x1p-60, -1, 0}}, enters(4)},
+        {"along a cap", unit, {{-5, 1, 0}, {1, 0, 0}}, enters(4)},
+        {"one number beyond the cap", unit, {{-5, 1 + eps, 0}, {1, 0, 0}}, misses},
+        {"touches a rim", unit, {{0, 2, 0}, {1, -1, 0}}, enters(1)},
+        {"touches a rim from the side", unit, {{2, 0, 0}, {-1, 1, 0}}, enters(1)},
+        {"touches a rim where t is a third", {{0, 0, 0}, {0, 3, 0}, 3}, {{4, 2, 0}, {-3, 3, 0}}, enters(1.0 / 3)},
+        {"over the rim", unit, {{0, 3, 0}, {1, -1, 0}}, misses},
+        {"tangent to the side", unit, {{1, 0, 5}, {0, 0, -1}}, enters(5)},
+        {"one number beyond the tangent", unit, {{1 + eps, 0, 5}, {0, 0, -1}}, misses},
+        {"above the top (|| for && in the height test)", unit, {{0, 2, 5}, {0, 0, -1}}, misses},
+        {"below the base (|| for && in the height test)", unit, {{0, -2, 5}, {0, 0, -1}}, misses},
+        {"from the side inwards", unit, {{1, 0, 0}, {-1, 0, 0}}, enters(0)},
+        {"from the side outwards", unit, {{1, 0, 0}, {1, 0, 0}}, leaves(0)},
+        {"from the top inwards", unit, {{0, 1, 0}, {0, -1, 0}}, enters(0)},
+        {"from the top outwards", unit, {{0, 1, 0}, {0, 1, 0}}, leaves(0)},
+        {"base and top exchanged", {{0, 1, 0}, {0, -1, 0}, 1}, {{0, 5, 0}, {0, -1, 0}}, enters(4)},
+        {"radius zero", {{0, -1, 0}, {0, 1, 0}, 0}, ahead, misses},
+        {"radius below zero", {{0, -1, 0}, {0, 1, 0}, -1}, ahead, misses},
+        {"base is top", {{0, 0, 0}, {0, 0, 0}, 1}, ahead, misses},
+        {"direction zero", unit, {{0, 0, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", unit, ahead, leaves(6), 4.5},
+        {"both crossings behind the window", unit, ahead, misses, 0, 3.5},
+        {"window between the crossings", unit, ahead, misses, 4.5, 5.5},
+        {"window that is not a number", unit, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, float, double) { check_properties<cylinder<T>>(); }
+
+TEST_CASE_TEMPLATE("cylinder: as exact arithmetic", T, float, double) {
+    check_oracle<cylinder<T>>();
+    check_accuracy<cylinder<T>>(normal_run);
+    check_bounds_of_errors<cylinder<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("open_cylinder: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const open_cylinder<T> unit{{0, -1, 0}, {0, 1, 0}, 1}, wide{{0, 0, 0}, {0, 0, 4}, 5};
+    const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
+    check_cases<open_cylinder<T>>({
+        {"the side", unit, ahead, enters(4)},
+        {"the side, off the axis", wide, {{-10, 3, 1}, {1, 0, 0}}, enters(6)},
+        {"behind the ray", unit, {{0, 0, 5}, {0, 0, 1}}, misses},
+        {"from inside", unit, {{0, 0.5, 0}, {1, 0, 0}}, leaves(1)},
+        {"through both ends", unit, {{0.25, 5, 0}, {0, -1, 0}}, misses},
+        {"from inside through an end", unit, {{0, 0, 0}, {0.5, 1, 0}}, misses},
+        {"in through an end, onto the side", unit, {{0, 2, 0}, {1, -1.5, 0}}, leaves(1)},
+        {"in through the side, out through an end", unit, {{2, 0, 0}, {-1, 0.75, 0}}, enters(1)},
+        {"in through the side, out through an end, later", unit, {{2, 0, 0}, {-1, 0.75, 0}}, misses, 1.5},
+        {"parallel to the axis, in the surface (0 / 0)", unit, {{1, 5, 0}, {0, -1, 0}}, misses},
+        {"parallel to the axis, outside (0 / 0)", unit, {{2, 5, 0}, {0, -1, 0}}, misses},
+        {"along an end", unit, {{-5, 1, 0}, {1, 0, 0}}, enters(4)},
+        {"one number beyond the end", unit, {{-5, 1 + eps, 0}, {1, 0, 0}}, misses},
+        {"touches a rim", unit, {{0, 2, 0}, {1, -1, 0}}, leaves(1)},
+        {"tangent to the side", unit, {{1, 0, 5}, {0, 0, -1}}, enters(5)},
+        {"above the top (|| for && in the height test)", unit, {{0, 2, 5}, {0, 0, -1}}, misses},
+        {"radius zero", {{0, -1, 0}, {0, 1, 0}, 0}, ahead, misses},
+        {"base is top", {{0, 0, 0}, {0, 0, 0}, 1}, ahead, misses},
+        {"direction zero", unit, {{0, 0, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", unit, ahead, leaves(6), 4.5},
+        {"window between the crossings", unit, ahead, misses, 4.5, 5.5},
+        {"window that is not a number", unit, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("open_cylinder: properties of every shape", T, float, double) {
+    check_properties<open_cylinder<T>>();
+}
+
+TEST_CASE_TEMPLATE("open_cylinder: as exact arithmetic", T, float, double) {
+    check_accuracy<open_cylinder<T>>(normal_run);
+    check_bounds_of_errors<open_cylinder<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("cylinder: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<cylinder<T>>(nightly_run);
+}
+
+TEST_CASE_TEMPLATE("open_cylinder: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<open_cylinder<T>>(nightly_run);
+}
+
+}  // namespace raio::test

@@ -1,0 +1,76 @@
+#include <raio/shape/disc.hpp>
+
+#include "support/cases.hpp"
+
+namespace raio::test {
+
+template <class T>
+struct subject<disc<T>> {
+    static auto fields(auto& s) { return std::tie(s.center, s.normal, s.radius); }
+
+    static disc<T> random(random_numbers& random, double size, const vec3<double>& place) {
+        return {vec3<T>(place), vec3<T>(random.direction() * random.uniform(0.5, 2)), static_cast<T>(size)};
+    }
+    static vec3<double> at(const disc<T>& s, double rho, random_numbers& random) {
+        return to_double(s.center) + random.perpendicular(to_double(s.normal)) * (rho * static_cast<double>(s.radius));
+    }
+    static vec3<double> inner_point(const disc<T>& s, random_numbers& random) {
+        return at(s, random.uniform(0, 0.99), random);
+    }
+    /// On the rim, or in the centre.
+    static vec3<double> special_point(const disc<T>& s, const vec3<double>&, random_numbers& random) {
+        return at(s, random.one_in(4) ? 0 : 1, random);
+    }
+    static oracle distance(const disc<oracle>& s, const vec3<oracle>& p) {
+        const vec3<oracle> from_center = p - s.center;
+        const oracle height = abs(dot(s.normal, from_center)) / length(s.normal);
+        return max(height, oracle(length(from_center) - s.radius));
+    }
+    static disc<oracle> grown(disc<oracle> s) {
+        s.radius *= 1 + oracle(1e-40);
+        return s;
+    }
+};
+
+TEST_CASE_TEMPLATE("disc: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const disc<T> unit{{0, 0, 0}, {0, 0, 1}, 1}, large{{0, 0, 0}, {0, 0, 1}, 5};
+    const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
+    check_cases<disc<T>>({
+        {"from the front", unit, ahead, enters(5)},
+        {"from the back", unit, {{0, 0.5, -5}, {0, 0, 1}}, leaves(5)},
+        {"behind the ray", unit, {{0, 0, 5}, {0, 0, 1}}, misses},
+        {"beside the disc", unit, {{1, 1, 5}, {0, 0, -1}}, misses},
+        {"on the rim", unit, {{1, 0, 5}, {0, 0, -1}}, enters(5)},
+        {"on the rim, between the axes", large, {{3, -4, 5}, {-0.0, 0, -1}}, enters(5)},
+        {"on the rim, where t is a third", {{0, 0, 0}, {0, 0, 1}, 3}, {{0, 0, 1}, {9, 0, -3}}, enters(1.0 / 3)},
+        {"one number beyond the rim", unit, {{1 + eps, 0, 5}, {0, 0, -1}}, misses},
+        {"one number within the rim", unit, {{1 - eps / 2, 0, 5}, {0, 0, -1}}, enters(5)},
+        {"in its plane", unit, {{-5, 0, 0}, {1, 0, 0}}, misses},
+        {"in its plane, from inside", unit, {{0, 0, 0}, {1, 0, -0.0}}, misses},
+        {"parallel to its plane", unit, {{-5, 0, 1}, {1, 0, 0}}, misses},
+        {"from a point of the disc", unit, {{0.5, 0, 0}, {0, 1, 1}}, leaves(0)},
+        {"normal of length 1e20", {{0, 0, 0}, {0, 0, 0x1p66}, 1}, ahead, enters(5)},
+        {"normal of length 1e-20", {{0, 0, 0}, {0, 0, 0x1p-66}, 1}, ahead, enters(5)},
+        {"normal zero", {{0, 0, 0}, {0, 0, 0}, 1}, ahead, misses},
+        {"radius zero", {{0, 0, 0}, {0, 0, 1}, 0}, ahead, misses},
+        {"radius below zero", {{0, 0, 0}, {0, 0, 1}, -1}, ahead, misses},
+        {"direction zero", unit, {{0, 0, 0}, {0, 0, 0}}, misses},
+        {"window ends at the crossing", unit, ahead, enters(5), 0, 5},
+        {"window that is not a number", unit, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("disc: properties of every shape", T, float, double) { check_properties<disc<T>>(); }
+
+TEST_CASE_TEMPLATE("disc: as exact arithmetic", T, float, double) {
+    check_oracle<disc<T>>();
+    check_accuracy<disc<T>>(normal_run);
+    check_bounds_of_errors<disc<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("disc: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+    check_accuracy<disc<T>>(nightly_run);
+}
+
+}  // namespace raio::test

@@ -1,0 +1,72 @@
+#include <raio/shape/plane.hpp>
+
+#include "support/cases.hpp"
+
+namespace raio::test {
+
+template <class T>
+struct subject<plane<T>> {
+    static auto fields(auto& s) { return std::tie(s.point, s.normal); }
+
+    static plane<T> random(random_numbers& random, double size, const vec3<double>& place) {
+        return {vec3<T>(place), vec3<T>(random.direction() * size)};
+    }
+    static vec3<double> inner_point(const plane<T>& s, random_numbers& random) {
+        const vec3<double> n = to_double(s.normal);
+        return to_double(s.point) + random.perpendicular(n) * (length(n) * random.log_uniform(1e-3, 1e3));
+    }
+    /// Next to the horizon.
+    static vec3<double> special_point(const plane<T>& s, const vec3<double>& from, random_numbers& random) {
+        return from + random.perpendicular(to_double(s.normal)) * length(to_double(s.point) - from);
+    }
+    static oracle distance(const plane<oracle>& s, const vec3<oracle>& p) {
+        return abs(dot(s.normal, vec3<oracle>(p - s.point))) / length(s.normal);
+    }
+};
+
+TEST_CASE_TEMPLATE("plane: named cases", T, float, double) {
+    const plane<T> floor{{0, 0, 0}, {0, 1, 0}};
+    const ray<T> down{{3, 2, 1}, {0, -1, 0}};
+    check_cases<plane<T>>({
+        {"from the front", floor, down, enters(2)},
+        {"from the back", floor, {{3, -2, 1}, {0, 1, 0}}, leaves(2)},
+        {"behind the ray", floor, {{3, 2, 1}, {0, 1, 0}}, misses},
+        {"behind the ray, when the window says so", floor, {{3, 2, 1}, {0, 1, 0}}, leaves(-2), -3},
+        {"parallel, outside", floor, {{3, 2, 1}, {1, 0, 0}}, misses},
+        {"parallel, outside, on the back", floor, {{3, -2, 1}, {1, -0.0, 0}}, misses},
+        {"parallel, in the plane", floor, {{3, 0, 1}, {1, 0, 0}}, misses},
+        {"parallel, in the plane, with -0", floor, {{3, -0.0, 1}, {1, -0.0, 0}}, misses},
+        {"parallel, in a slanted plane", {{1, 1, 1}, {1, 1, 1}}, {{3, 0, 0}, {1, -1, 0}}, misses},
+        {"nearly parallel", floor, {{0, 1, 0}, {1, -0x1p-20, 0}}, enters(0x1p20)},
+        {"from a point of the plane", floor, {{3, 0, 1}, {1, 1, 0}}, leaves(0)},
+        {"from a point of the plane, downwards", floor, {{3, 0, 1}, {1, -1, 0}}, enters(0)},
+        {"slanted", {{0, 0, 3}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}, leaves(1)},
+        {"normal of length 1e20", {{0, 0, 0}, {0, 0x1p66, 0}}, down, enters(2)},
+        {"normal of length 1e-20", {{0, 0, 0}, {0, 0x1p-66, 0}}, down, enters(2)},
+        {"normal zero", {{0, 0, 0}, {0, 0, 0}}, down, misses},
+        {"direction zero", floor, {{3, 2, 1}, {0, 0, 0}}, misses},
+        {"direction zero, in the plane", floor, {{3, 0, 1}, {0, 0, 0}}, misses},
+        {"window ends at the crossing", floor, down, enters(2), 0, 2},
+        {"window begins at the crossing", floor, down, enters(2), 2, 2},
+        {"window that is not a number", floor, down, misses, nan<T>, nan<T>},
+        // 1 + 2^-24 + 2^-60 lies above the middle between two floats, if only by a bit that a double has no room for.
+        {"t rounded once",
+         {{1, 0x1p-24, 0x1p-60}, {1, 1, 1}},
+         {{0, 0, 0}, {1, 0, 0}},
+         leaves(1 + (sizeof(T) == 4 ? 0x1p-23 : 0x1p-24))},
+    });
+}
+
+TEST_CASE_TEMPLATE("plane: properties of every shape", T, float, double) { check_properties<plane<T>>(); }
+
+TEST_CASE_TEMPLATE("plane: as exact arithmetic", T, float, double) {
+    check_oracle<plane<T>>();
+    check_accuracy<plane<T>>(normal_run);
+    check_bounds_of_errors<plane<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("plane: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+    check_accuracy<plane<T>>(nightly_run);
+}
+
+}  // namespace raio::test

@@ -1,0 +1,93 @@
+#include <raio/shape/sphere.hpp>
+
+#include "support/cases.hpp"
+
+namespace raio::test {
+
+template <class T>
+struct subject<sphere<T>> {
+    static auto fields(auto& s) { return std::tie(s.center, s.radius); }
+
+    static sphere<T> random(random_numbers&, double size, const vec3<double>& place) {
+        return {vec3<T>(place), static_cast<T>(size)};
+    }
+    static vec3<double> inner_point(const sphere<T>& s, random_numbers& random) {
+        return to_double(s.center) + random.direction() * (random.uniform(0, 0.99) * static_cast<double>(s.radius));
+    }
+    /// On the circle that is the silhouette.
+    static vec3<double> special_point(const sphere<T>& s, const vec3<double>& from, random_numbers& random) {
+        const vec3<double> to_center = to_double(s.center) - from;
+        const double r = static_cast<double>(s.radius), sine = r / length(to_center);
+        if (sine > 1) return to_double(s.center);
+        return to_double(s.center) - to_center * (sine * sine) +
+               random.perpendicular(to_center) * (r * std::sqrt(1 - sine * sine));
+    }
+    static oracle distance(const sphere<oracle>& s, const vec3<oracle>& p) {
+        return length(vec3<oracle>(p - s.center)) - s.radius;
+    }
+};
+
+TEST_CASE_TEMPLATE("sphere: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const sphere<T> unit{{0, 0, 0}, 1};
+    const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
+    check_cases<sphere<T>>({
+        {"from outside", unit, ahead, enters(4)},
+        {"from behind t = 0", unit, {{0, 0, 5}, {0, 0, 1}}, misses},
+        {"at negative t, when the window says so", unit, {{0, 0, 5}, {0, 0, 1}}, enters(-6), -10, 0},
+        {"from the centre", unit, {{0, 0, 0}, {0, 0, -1}}, leaves(1)},
+        {"from inside", unit, {{0, 0, 0.5}, {0, 0, -1}}, leaves(1.5)},
+        {"from the surface inwards", unit, {{0, 0, 1}, {0, 0, -1}}, enters(0)},
+        {"from the surface inwards, later", unit, {{0, 0, 1}, {0, 0, -1}}, leaves(2), 0x1p-60},
+        {"from the surface outwards", unit, {{0, 0, 1}, {0, 0, 1}}, leaves(0)},
+        {"from the surface outwards, later", unit, {{0, 0, 1}, {0, 0, 1}}, misses, 0x1p-60},
+        {"tangent", unit, {{1, 0, 5}, {0, 0, -1}}, enters(5)},
+        {"tangent between the axes", {{0, 0, 0}, 5}, {{11, -2, 0}, {-4, 3, 0}}, enters(2)},
+        {"one number beyond the tangent", unit, {{1 + eps, 0, 5}, {0, 0, -1}}, misses},
+        {"one number within the tangent",
+         unit,
+         {{1 - eps / 2, 0, 5}, {0, 0, -1}},
+         enters(5 - std::sqrt(double(eps) * (1 - double(eps) / 4)))},
+        {"tangent from its own point", unit, {{1, 0, 0}, {0, 1, 0}}, enters(0)},
+        {"zeros with signs", unit, {{0, 0, 5}, {-0.0, 0.0, -1}}, enters(4)},
+        {"direction of length 2", unit, {{0, 0, 5}, {0, 0, -2}}, enters(2)},
+        {"direction of length 1e-20", unit, {{0, 0, 5}, {0, 0, -0x1p-66}}, enters(0x1p68)},
+        {"direction of length 1e20", unit, {{0, 0, 5}, {0, 0, -0x1p66}}, enters(0x1p-64)},
+        {"first crossing before the window", unit, ahead, leaves(6), 4.5},
+        {"second crossing behind the window", unit, ahead, enters(4), 0, 5},
+        {"both crossings before the window", unit, ahead, misses, 6.5},
+        {"both crossings behind the window", unit, ahead, misses, 0, 3.5},
+        {"window between the crossings", unit, ahead, misses, 4.5, 5.5},
+        {"window ends at the first crossing", unit, ahead, enters(4), 0, 4},
+        {"window begins at the second crossing", unit, ahead, leaves(6), 6},
+        {"window turned around", unit, ahead, misses, 5, 3},
+        {"window that is not a number", unit, ahead, misses, nan<T>},
+        {"window without a number for an end", unit, ahead, misses, 0, nan<T>},
+        {"radius zero", {{0, 0, 0}, 0}, ahead, misses},
+        {"radius below zero", {{0, 0, 0}, -1}, ahead, misses},
+        {"direction zero", unit, {{0, 0, 5}, {0, 0, 0}}, misses},
+        {"direction zero, from inside", unit, {{0, 0, 0}, {0, -0.0, 0}}, misses},
+        // Bugs that other libraries shipped.
+        {"far sphere 1e7 away vanishes", {{0, 0, -1e7}, 1}, {{0, 0, 0}, {0, 0, -1}}, enters(9999999)},
+        {"rings on a sphere 1000 units away", {{0, 0, -1000}, 0.5}, {{0, 0, 0}, {0, 0, -1}}, enters(999.5)},
+        {"sphere of radius 0.005", {{0, 0, -1}, T(0.005)}, {{0, 0, 0}, {0, 0, -1}}, enters(1 - double(T(0.005)))},
+        {"centre ignored", {{3, 4, 0}, 1}, {{3, 4, 5}, {0, 0, -1}}, enters(4)},
+        {"centre ignored, at the origin", {{3, 4, 0}, 1}, ahead, misses},
+        {"sgn(0) in the stable quadratic", unit, {{0, 0.5, 0}, {1, 0, 0}}, leaves(std::sqrt(0.75))},
+    });
+}
+
+TEST_CASE_TEMPLATE("sphere: properties of every shape", T, float, double) { check_properties<sphere<T>>(); }
+
+TEST_CASE_TEMPLATE("sphere: as exact arithmetic", T, float, double) {
+    check_oracle<sphere<T>>();
+    check_accuracy<sphere<T>>(normal_run);
+    check_bounds_of_errors<sphere<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("sphere: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<sphere<T>>(nightly_run);
+}
+
+}  // namespace raio::test

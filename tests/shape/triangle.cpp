@@ -1,0 +1,34 @@
+#include <raio/shape/triangle.hpp>
+
+#include "support/triangles.hpp"
+
+namespace raio::test {
+
+TEST_CASE_TEMPLATE("triangle: named cases", T, float, double) { check_triangle_cases<triangle<T>>(); }
+
+TEST_CASE("triangle: ties that double_double cannot tell") {
+    check_cases<triangle<double>>({
+        {"on vertex c, which double_double cannot tell",
+         {{0x1.a9d60ea8067e4p+3, 0x1.86440b1b0598cp+0, -0x1.ba8d9f1a14b28p+2},
+          {0x1.a8dd70e2c228fp+3, 0x1.7f34a325f81dp+0, -0x1.bb77b9d92cc81p+2},
+          {0x1.a9b1db69d7898p+3, 0x1.857401b4abc0ap+0, -0x1.ba22efdeac49ep+2}},
+         {{0x1.a9161780313fep+3, 0x1.80d1bbcb3caa3p+0, -0x1.bb3f2f12aa9ep+2},
+          {0x1.3787d34c934p-6, 0x1.28917a5bc59cp-6, 0x1.1c3f33fe542p-6}},
+         enters(1)},
+    });
+}
+
+TEST_CASE_TEMPLATE("triangle: properties of every shape", T, float, double) { check_properties<triangle<T>>(); }
+
+TEST_CASE_TEMPLATE("triangle: as exact arithmetic", T, float, double) {
+    check_oracle<triangle<T>>();
+    check_accuracy<triangle<T>>(normal_run);
+    check_bounds_of_errors<triangle<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("triangle: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<triangle<T>>(nightly_run);
+}
+
+}  // namespace raio::test

@@ -1,0 +1,166 @@
+#pragma once
+
+#include "support/probe.hpp"
+
+/// \file
+/// The comparison with the oracle: the same rays in 50 digits.
+
+namespace raio::test {
+
+/// Both crossings of a solid, or the one of a flat shape and none, as `crossings<W>` finds them.
+template <class W, class Shape>
+std::array<crossing<W>, 2> both_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
+    const auto found = shape.template crossings<W>(ray);
+    if constexpr (requires { found.near; }) {
+        return {found.near, found.far};
+    } else {
+        crossing<W> none = found;
+        none.exists = false;
+        return {found, none};
+    }
+}
+
+/// The crossings in 50 digits. Where a ray meets the very edge of a closed shape, 50 digits decide no better than any
+/// others: it is crossed, then, if it is as soon as it is larger by 1e-40.
+template <class Shape>
+std::array<crossing<oracle>, 2> exact_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
+    const auto exact_shape = converted<oracle>(shape);
+    const auto exact_ray = converted<oracle>(ray);
+    std::array crossings = both_crossings<oracle>(exact_shape, exact_ray);
+    using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
+    if constexpr (requires { about::grown(exact_shape); }) {
+        if (crossings[0].exists && crossings[1].exists) return crossings;
+        const std::array larger = both_crossings<oracle>(about::grown(exact_shape), exact_ray);
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!crossings[i].exists) crossings[i] = larger[i];
+        }
+    }
+    return crossings;
+}
+
+template <class Shape>
+bool in_window(const probe<Shape>& p, number_t<Shape> t) {
+    return p.t_min <= t && t <= p.t_max && std::isfinite(t);
+}
+
+/// How many numbers apart are a and b? Neighbours are one apart.
+template <class T>
+double ulps_between(T a, const oracle& b) {
+    const T low = rounded<T>(abs(b));
+    const T ulp = std::nextafter(low, infinity<T>) - low;
+    return static_cast<double>(abs(oracle(a) - b) / ulp);
+}
+
+/// What is wrong with the answer to one probe: `hit` has to find the first crossing whose t, correctly rounded, lies in
+/// the window. The error of a double's t may be larger than half an ulp by as much as double_double says.
+template <class Shape>
+std::string inexactness(const probe<Shape>& p, double& worst_ulp) {
+    using T = number_t<Shape>;
+    hit_record<T> rec;
+    const bool hit = p.hit(rec);
+    const std::array crossings = exact_crossings(p.shape, p.ray);
+    std::size_t i = 0;
+    while (i < 2 && !(crossings[i].exists && in_window(p, rounded<T>(crossings[i].t)))) ++i;
+    if (hit && i == 2) return "false hit, " + literal(rec);
+    if (!hit && i < 2) return "false miss, t = " + literal(rounded<T>(crossings[i].t));
+    if (!hit) return "";
+
+    const oracle exact_t = crossings[i].t, error_of_t = abs(oracle(rec.t) - exact_t);
+    if (rec.t != rounded<T>(exact_t)) {
+        const oracle allowed =
+            std::same_as<T, float> ? oracle(0) : exactly(both_crossings<double_double>(p.shape, p.ray)[i].error);
+        const oracle half_ulp = abs(oracle(rounded<T>(exact_t)) - exact_t);
+        if (error_of_t > half_ulp + allowed) return "t = " + literal(rec.t) + " for " + literal(rounded<T>(exact_t));
+    }
+    if (rec.front_face != crossings[i].entering) return "wrong face, " + literal(rec);
+    worst_ulp = std::max(worst_ulp, ulps_between(rec.t, exact_t));
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        const oracle origin(p.ray.origin[axis]), step = oracle(p.ray.direction[axis]) * exact_t;
+        const oracle own_error = (abs(origin) + abs(step)) * 1e-38, off = abs(origin + step - oracle(rec.point[axis]));
+        if (off > oracle(rec.error[axis]) + own_error) {
+            return "point off by " + literal(rounded<T>(off)) + ", " + literal(rec);
+        }
+    }
+    return "";
+}
+
+/// Can double_double not decide about a crossing, or whether it is in the window?
+template <class Shape>
+bool undecided(const probe<Shape>& p) {
+    using T = number_t<Shape>;
+    for (const crossing<double_double>& c : both_crossings<double_double>(p.shape, p.ray)) {
+        const oracle t = exactly(c.t), error = exactly(c.error);
+        const bool on_an_end = in_window(p, rounded<T>(t - error)) != in_window(p, rounded<T>(t + error));
+        if (!c.certain || on_an_end) return true;
+    }
+    return false;
+}
+
+/// Sends rays in numbers. Floats are always right; of the doubles less than one in a thousand may go wrong, and only
+/// where double_double says that it cannot decide.
+template <class Shape>
+void check_accuracy(int rays) {
+    using T = number_t<Shape>;
+    int hits = 0, excused = 0;
+    double worst_ulp = 0;
+    for_random_probes<Shape>("as exact arithmetic", rays, [&](const probe<Shape>& p, random_numbers&) -> std::string {
+        hits += p.shape.occluded(p.ray, p.t_min, p.t_max);
+        const std::string wrong = inexactness(p, worst_ulp);
+        if (wrong.empty() || std::same_as<T, float> || !undecided(p)) return wrong;
+        ++excused;
+        return "";
+    });
+    MESSAGE(rays << " rays, " << hits << " hits, worst error of t: " << worst_ulp << " ulp, undecided: " << excused);
+    CHECK(hits > rays / 20);
+    CHECK(excused < rays / 1000);
+}
+
+/// In the precision of W: wherever a crossing is certain it exists if and only if the exact one does, and its t is off
+/// by no more than the error that it states.
+template <class W, class Shape>
+std::string wrong_bound(const probe<Shape>& p) {
+    const std::array exact = exact_crossings(p.shape, p.ray);
+    const std::array found = both_crossings<W>(p.shape, p.ray);
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (!found[i].certain) continue;
+        if (found[i].exists != exact[i].exists)
+            return found[i].exists ? "certain of a false hit" : "certain of a false miss";
+        if (!found[i].exists || exactly(found[i].t) == exact[i].t) continue;
+        const oracle off = abs(exactly(found[i].t) - exact[i].t), error = exactly(found[i].error);
+        if (!(off <= error))
+            return "off by " + literal(rounded<double>(off)) + ", said " + literal(rounded<double>(error));
+    }
+    return "";
+}
+
+template <class Shape>
+void check_bounds_of_errors(int rays) {
+    for_random_probes<Shape>("bound in strict_double", rays,
+                             [](const auto& p, auto&) { return wrong_bound<strict_double>(p); });
+    for_random_probes<Shape>("bound in double_double", rays,
+                             [](const auto& p, auto&) { return wrong_bound<double_double>(p); });
+}
+
+/// The oracle itself, asked in other words than the shape's own: what it crosses lies on the surface, and a line
+/// through a point inside crosses before it and behind it.
+template <class Shape>
+void check_oracle() {
+    using exact_shape = decltype(converted<oracle>(std::declval<Shape>()));
+    random_numbers random(1);
+    for (int i = 0; i < 2000; ++i) {
+        const probe<Shape> p = scattered_probe<Shape>(random);
+        const exact_shape shape = converted<oracle>(p.shape);
+        const vec3<oracle> inside(subject<Shape>::inner_point(p.shape, random)), direction(random.direction());
+        bool before = false, behind = false;
+        for (const crossing<oracle>& c : both_crossings<oracle>(shape, {inside, direction})) {
+            if (!c.exists) continue;
+            before = before || c.t <= 0;
+            behind = behind || c.t >= 0;
+            const oracle off = subject<exact_shape>::distance(shape, inside + direction * c.t);
+            REQUIRE_MESSAGE(abs(off) <= (abs(c.t) + length(inside)) * 1e-38, literal(p.shape));
+        }
+        REQUIRE_MESSAGE((solid<Shape> ? before && behind : before || behind), literal(p.shape));
+    }
+}
+
+}  // namespace raio::test

@@ -1,0 +1,242 @@
+#pragma once
+
+#include <cstring>
+
+#include "support/probe.hpp"
+
+/// \file
+/// What every shape promises, written once. Each function here answers with what is wrong about one probe, or with
+/// nothing.
+
+namespace raio::test {
+
+/// A record that no shape would write.
+template <class T>
+hit_record<T> untouched_record() {
+    return {T(7), vec3<T>(7), vec3<T>(7), vec2<T>(7), vec3<T>(7), 7, true};
+}
+
+template <class T>
+bool same_record(const hit_record<T>& a, const hit_record<T>& b) {
+    return a.t == b.t && a.point == b.point && a.normal == b.normal && a.uv == b.uv && a.error == b.error &&
+           a.index == b.index && a.front_face == b.front_face;
+}
+
+template <class T>
+bool all_finite(const vec3<T>& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Every field within its range, whatever the input was.
+template <class T>
+std::string unsound_fields(const hit_record<T>& rec) {
+    const bool no_nan = rec.error.x >= 0 && rec.error.y >= 0 && rec.error.z >= 0;
+    if (!std::isfinite(rec.t) || !all_finite(rec.point) || !all_finite(rec.normal) || !no_nan) return "not finite";
+    if (!(0 <= rec.uv.x && rec.uv.x <= 1 && 0 <= rec.uv.y && rec.uv.y <= 1)) return "uv beyond [0, 1]";
+    const vec3<double> n = to_double(rec.normal);
+    if (std::abs(dot(n, n) - 1) > 8 * static_cast<double>(std::numeric_limits<T>::epsilon())) return "normal not unit";
+    return "";
+}
+
+/// hit and occluded agree, a miss leaves the record alone, and a hit fills it with sound values.
+template <class Shape>
+std::string unsound_answer(const probe<Shape>& p) {
+    using T = number_t<Shape>;
+    hit_record<T> rec = untouched_record<T>();
+    const bool hit = p.hit(rec);
+    if (hit != p.shape.occluded(p.ray, p.t_min, p.t_max)) return hit ? "hit but not occluded" : "occluded but not hit";
+    if (!hit) return same_record(rec, untouched_record<T>()) ? "" : "a miss touched the record";
+    const std::string unsound = unsound_fields(rec);
+    return unsound.empty() ? "" : unsound + ", " + literal(rec);
+}
+
+/// The record agrees with the ray, the window and the bounds.
+template <class Shape>
+std::string inconsistent_record(const probe<Shape>& p) {
+    using T = number_t<Shape>;
+    hit_record<T> rec;
+    if (!p.hit(rec)) return "";
+    if (!(p.t_min <= rec.t && rec.t <= p.t_max)) return "beyond the window, " + literal(rec);
+    // The normal is rounded: of a ray that grazes a plane by less than that it cannot tell the side.
+    const vec3<double> direction = to_double(p.ray.direction);
+    const double slack = 4 * unit_roundoff<T> * length(direction);
+    if (dot(to_double(rec.normal), direction) > slack) return "normal along the ray, " + literal(rec);
+    if (!p.shape.bounds().contains(rec.point)) return "beyond the bounds, " + literal(rec);
+    return "";
+}
+
+/// The window is closed: it may begin and end at the crossing, and excludes it one number later.
+template <class Shape>
+std::string open_window(probe<Shape> p) {
+    using T = number_t<Shape>;
+    hit_record<T> rec, again;
+    if (!p.hit(rec)) return "";
+    const probe<Shape> exactly{p.shape, p.ray, rec.t, rec.t};
+    if (!exactly.hit(again)) return "missed in [t, t], " + literal(rec);
+    if (again.t != rec.t || again.front_face != rec.front_face) return "another in [t, t], " + literal(again);
+    p.t_max = std::nextafter(rec.t, -infinity<T>);
+    if (p.hit(again)) return "a nearer hit in a shorter window, " + literal(again);
+    return "";
+}
+
+/// A direction that is longer by a power of two, even by 1e20, makes t smaller by as much, and nothing else, as long as
+/// none of these numbers leaves the range of T.
+template <class Shape>
+std::string direction_not_scaled(const probe<Shape>& p) {
+    using T = number_t<Shape>;
+    hit_record<T> rec, scaled_rec;
+    const bool hit = p.shape.hit(p.ray, T(0), infinity<T>, rec);
+    for (const int exponent : {-66, -1, 66}) {
+        bool in_range = true;
+        const auto scaled = [&](T x, int e) {
+            const T y = std::ldexp(x, e);
+            in_range = in_range && (x == 0 || (std::isnormal(x) && std::isnormal(y)));
+            return y;
+        };
+        ray<T> ray = p.ray;
+        for_each_number(ray.direction, [&](T& x) { x = scaled(x, exponent); });
+        const bool scaled_hit = p.shape.hit(ray, T(0), infinity<T>, scaled_rec);
+        const T t = hit ? scaled(rec.t, -exponent) : T(0), t_back = scaled_hit ? scaled(scaled_rec.t, exponent) : T(0);
+        in_range = in_range && (t_back != 0 || scaled_hit == hit);  // or else t was below 0 by less than any number
+        if (!in_range) continue;
+        if (scaled_hit != hit) return "hit depends on the length of direction";
+        if (hit && (scaled_rec.t != t || rec.t != t_back)) return "t = " + literal(scaled_rec.t) + " for " + literal(t);
+        if (hit && scaled_rec.normal != rec.normal) return "normal depends on the length of direction";
+    }
+    return "";
+}
+
+/// A solid's spans begin and end at its hits.
+template <solid Shape>
+std::string spans_unlike_hits(const probe<Shape>& p) {
+    using T = number_t<Shape>;
+    const auto span = p.shape.spans(p.ray);
+    hit_record<T> rec;
+    const bool near = p.shape.hit(p.ray, -infinity<T>, infinity<T>, rec);
+    if (span.empty()) return near ? "no span but a hit, " + literal(rec) : "";
+    if (!(span.min <= span.max)) return "span not sorted";
+    const auto is_hit = [&](T t) { return p.shape.occluded(p.ray, t, t); };
+    if (std::isfinite(span.min) && (!near || rec.t != span.min || !rec.front_face))
+        return "no hit where the span begins";
+    if (std::isfinite(span.max) && !is_hit(span.max)) return "no hit where the span ends";
+    const T between = span.min + (span.max - span.min) / T(2);
+    if (span.min < between && between < span.max && is_hit(between)) return "a hit inside the span";
+    if (std::isfinite(span.max) && p.shape.occluded(p.ray, std::nextafter(span.max, infinity<T>), infinity<T>)) {
+        return "a hit behind the span";
+    }
+    return "";
+}
+
+/// Calls `visit` with every probe that differs from `p` in one number of the shape or the ray, which is `value`.
+template <class Shape, class Visit>
+void for_each_replaced(const probe<Shape>& p, number_t<Shape> value, Visit visit) {
+    using T = number_t<Shape>;
+    for (int place = 0, count = 1; place < count; ++place) {
+        probe<Shape> changed = p;
+        count = 0;
+        const auto replace = [&](T& x) { x = count++ == place ? value : x; };
+        for_each_number(changed.shape, replace);
+        for_each_number(changed.ray, replace);
+        visit(changed);
+    }
+}
+
+/// A NaN or an infinity in any number of the shape, the ray or the window, or a direction of length zero, and the
+/// answer is no.
+template <class Shape>
+std::string impossible_hit(const probe<Shape>& p) {
+    using T = number_t<Shape>;
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    std::string wrong;
+    const auto expect_miss = [&](const probe<Shape>& changed) {
+        if (changed.shape.occluded(changed.ray, changed.t_min, changed.t_max)) wrong = "hit in " + literal(changed);
+        if (const std::string unsound = unsound_answer(changed); !unsound.empty()) wrong = unsound + literal(changed);
+    };
+    for (const T value : {nan, infinity<T>, -infinity<T>}) for_each_replaced(p, value, expect_miss);
+    expect_miss({p.shape, p.ray, nan, p.t_max});
+    expect_miss({p.shape, p.ray, p.t_min, nan});
+    expect_miss({p.shape, p.ray, infinity<T>, infinity<T>});
+    expect_miss({p.shape, p.ray, -infinity<T>, -infinity<T>});
+    expect_miss({p.shape, {p.ray.origin, vec3<T>(0)}, p.t_min, p.t_max});
+    return wrong;
+}
+
+/// The largest and the smallest numbers and zero, anywhere, are answered soundly.
+template <class Shape>
+std::string extreme_answer(const probe<Shape>& p) {
+    using limits = std::numeric_limits<number_t<Shape>>;
+    std::string wrong;
+    for (const auto value :
+         {number_t<Shape>(0), limits::denorm_min(), limits::min(), limits::max(), limits::lowest()}) {
+        for_each_replaced(p, value, [&](const probe<Shape>& changed) {
+            if (const std::string unsound = unsound_answer(changed); !unsound.empty()) {
+                wrong = unsound + " from {" + literal(changed) + "}";
+            }
+        });
+    }
+    return wrong;
+}
+
+/// Is the recorded point so far from every edge that the face it lies on is the nearest one, seen from within?
+template <class Shape>
+bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec) {
+    const auto exact_shape = converted<oracle>(shape);
+    const vec3<oracle> inwards = converted<oracle>(rec.normal) * oracle(rec.front_face ? -1 : 1);
+    const oracle depth = 4 * oracle(norm1(rec.error));
+    using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
+    const oracle distance = about::distance(exact_shape, converted<oracle>(rec.point) + inwards * depth);
+    return (solid<Shape> ? oracle(-distance) : distance) > depth * 0.7;
+}
+
+/// A ray that was spawned on the surface never hits it again where it left: outwards it misses a convex solid, inwards
+/// it meets the far side once, and from a flat shape it misses in any direction. (At an edge "inwards" of one face is
+/// outwards of the other, and anything may come of it.)
+template <class Shape>
+std::string spawned_hit(const probe<Shape>& p, random_numbers& random) {
+    using T = number_t<Shape>;
+    hit_record<T> rec, again;
+    if (!p.hit(rec)) return "";
+    for (int i = 0; i < 8; ++i) {
+        const vec3<T> direction(random.direction());
+        const T rising = dot(rec.normal, direction);
+        if (rising == T(0)) continue;
+        const bool outwards = (rising > T(0)) == rec.front_face;
+        const ray<T> spawned = spawn_ray(rec, direction);
+        const bool hit = p.shape.hit(spawned, T(0), infinity<T>, again);
+        std::string wrong;
+        if (hit && (outwards || is_flat<Shape>)) wrong = "hits what it left";
+        if (!outwards && !is_flat<Shape>) {
+            if (hit && again.front_face) wrong = "hits the outside from within";
+            if (hit && p.shape.occluded(spawned, std::nextafter(again.t, infinity<T>), infinity<T>)) {
+                wrong = "crosses twice";
+            }
+            if constexpr (solid<Shape>) {
+                if (!hit && p.shape.spans(spawned).max < infinity<T>) wrong = "misses from within";
+            }
+            if (!wrong.empty() && !away_from_edges(p.shape, rec)) wrong.clear();
+        }
+        if (!wrong.empty()) return wrong + ", " + literal(spawned) + ", " + literal(rec);
+    }
+    return "";
+}
+
+/// All of them.
+template <class Shape>
+void check_properties() {
+    const auto check = [](const char* property, int count, auto complaint) {
+        for_random_probes<Shape>(property, count, complaint);
+    };
+    using probe = test::probe<Shape>;
+    check("hit, occluded and record", 20'000, [](const probe& p, auto&) { return unsound_answer(p); });
+    check("window and bounds", 20'000, [](const probe& p, auto&) { return inconsistent_record(p); });
+    check("closed window", 10'000, [](const probe& p, auto&) { return open_window(p); });
+    check("length of direction", 10'000, [](const probe& p, auto&) { return direction_not_scaled(p); });
+    check("NaN and infinity", 2'000, [](const probe& p, auto&) { return impossible_hit(p); });
+    check("extreme numbers", 2'000, [](const probe& p, auto&) { return extreme_answer(p); });
+    check("spawned rays", 10'000, [](const probe& p, random_numbers& random) { return spawned_hit(p, random); });
+    if constexpr (solid<Shape>) {
+        check("spans", 10'000, [](const probe& p, auto&) { return spans_unlike_hits(p); });
+    }
+}
+
+}  // namespace raio::test

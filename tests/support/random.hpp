@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include <raio/math/vec.hpp>
+
+/// \file
+/// Random numbers that are the same in every run, with every compiler and standard library.
+
+namespace raio::test {
+
+/// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): 64 bits of state, passes BigCrush.
+class random_numbers {
+public:
+    explicit random_numbers(std::uint64_t seed) : state_(seed) {}
+
+    std::uint64_t bits() {
+        std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        return z ^ (z >> 31);
+    }
+
+    /// In [0, 1).
+    double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+    double log_uniform(double low, double high) { return low * std::pow(high / low, uniform()); }
+
+    /// One of low, low + 1, ..., high.
+    int integer(int low, int high) { return low + static_cast<int>(uniform() * (high - low + 1)); }
+    bool one_in(int n) { return integer(1, n) == 1; }
+
+    /// A unit vector, every direction as likely as any other.
+    vec3<double> direction() {
+        const double z = uniform(-1, 1), rho = std::sqrt(1 - z * z), phi = uniform(0, 2 * std::numbers::pi);
+        return {rho * std::cos(phi), rho * std::sin(phi), z};
+    }
+
+    /// A unit vector perpendicular to `v`.
+    vec3<double> perpendicular(const vec3<double>& v) {
+        const vec3<double> across = cross(v, direction());
+        return across * (1 / length(across));
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+/// How many rays the comparisons with the oracle send. Under sanitizers, where everything is slow, there are fewer.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr int normal_run = 20'000;
+#elif defined(__has_feature)
+inline constexpr int normal_run = __has_feature(address_sanitizer) ? 20'000 : 100'000;
+#else
+inline constexpr int normal_run = 100'000;
+#endif
+inline constexpr int nightly_run = 10'000'000;
+
+}  // namespace raio::test

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include <raio/raio.hpp>
+
+#include "support/oracle.hpp"
+#include "support/random.hpp"
+
+/// \file
+/// What the shared tests know of a shape.
+
+namespace raio::test {
+
+/// Each test of a shape specialises this for every number type at once:
+///
+///     static auto fields(auto& shape);    // std::tie of its fields
+///     static Shape random(random_numbers&, double size, vec3<double> place);    // one of that size at that place
+///     static vec3<double> inner_point(const Shape&, random_numbers&);    // inside the solid, or on the surface: not
+///     at its edge static vec3<double> special_point(const Shape&, vec3<double> from, random_numbers&);
+///         // on a silhouette as seen from there, an edge, a vertex, a rim, an axis
+///     static oracle distance(const Shape&, const vec3<oracle>&);    // to the surface, below 0 in a solid; for Shape
+///     in oracle numbers static Shape grown(Shape);    // optional: see accuracy.hpp
+template <class Shape>
+struct subject;
+
+/// Solids are entered and left; what is no solid is left for good, but for a tube, which is hit from within.
+template <class Shape>
+inline constexpr bool is_flat = !solid<Shape>;
+template <class T>
+inline constexpr bool is_flat<open_cylinder<T>> = false;
+
+template <class T>
+vec3<double> to_double(const vec3<T>& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+// Calls `visit` with every number that something is made of, in order.
+template <class T, class Visit>
+requires(std::is_arithmetic_v<T>) void for_each_number(T& x, Visit visit) { visit(x); }
+template <class T, class Visit>
+void for_each_number(vec3<T>& v, Visit visit) {
+    visit(v.x), visit(v.y), visit(v.z);
+}
+template <class T, class Visit>
+void for_each_number(half_space<T>& h, Visit visit) {
+    for_each_number(h.normal, visit), visit(h.offset);
+}
+template <class T, class Visit>
+void for_each_number(ray<T>& r, Visit visit) {
+    for_each_number(r.origin, visit), for_each_number(r.direction, visit);
+}
+template <class Item, class Visit>
+void for_each_number(std::vector<Item>& items, Visit visit) {
+    for (Item& item : items) for_each_number(item, visit);
+}
+template <primitive Shape, class Visit>
+void for_each_number(Shape& shape, Visit visit) {
+    std::apply([&](auto&... field) { (for_each_number(field, visit), ...); }, subject<Shape>::fields(shape));
+}
+
+// The same thing made of other numbers.
+template <class U, class T>
+requires(std::is_arithmetic_v<T>) U converted(const T& x) { return U(x); }
+template <class U, class T>
+vec3<U> converted(const vec3<T>& v) {
+    return vec3<U>(v);
+}
+template <class U, class T>
+ray<U> converted(const ray<T>& r) {
+    return {vec3<U>(r.origin), vec3<U>(r.direction)};
+}
+template <class U, class T>
+std::vector<half_space<U>> converted(const std::vector<half_space<T>>& planes) {
+    std::vector<half_space<U>> result;
+    for (const half_space<T>& plane : planes) result.push_back({vec3<U>(plane.normal), U(plane.offset)});
+    return result;
+}
+template <class U, template <real> class Shape, real T>
+auto converted(const Shape<T>& shape) {
+    return std::apply([](const auto&... field) { return Shape<U>{converted<U>(field)...}; },
+                      subject<Shape<T>>::fields(shape));
+}
+/// The same triangle; that 50 digits round as well does not matter where nothing is divided.
+template <std::same_as<oracle> U, real T>
+triangle<U> converted(const watertight_triangle<T>& s) {
+    return {vec3<U>(s.a), vec3<U>(s.b), vec3<U>(s.c)};
+}
+template <class U, real T>
+convex_polyhedron<U> converted(const convex_polyhedron<T>& shape) {
+    return {converted<U>(shape.planes)};
+}
+
+}  // namespace raio::test
