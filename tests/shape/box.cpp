@@ -1,6 +1,7 @@
 #include <raio/shape/box.hpp>
 
 #include "support/cases.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
 
@@ -107,8 +108,45 @@ TEST_CASE_TEMPLATE("box: as exact arithmetic", T, float, double) {
     check_bounds_of_errors<box<T>>(normal_run / 5);
 }
 
+TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, float, double) {
+    const box<T> bar{{0, 0, 0}, {1, 2, 4}};
+    CHECK(bar.area() == T(28));
+    const auto to_square = [](const hit_record<T>& rec) { return rec.uv; };
+    check_sampling(bar, to_square);
+    check_sampling(box<T>{{-9, 4, 7}, {T(-8.5), 5, T(7.25)}}, to_square);
+    check_sampling(box<T>{{0, 0, 0}, {0, 1, 1}}, to_square);
+
+    std::vector<int> counts(6, 0);
+    random_numbers random(11);
+    const int samples = 100'000;
+    for (int i = 0; i < samples; ++i) {
+        const vec3<T> n = bar.sample({static_cast<T>(random.uniform()), static_cast<T>(random.uniform())}).normal;
+        const std::size_t axis = n.x != 0 ? 0 : n.y != 0 ? 1 : 2;
+        ++counts[2 * axis + (n.x + n.y + n.z > 0)];
+    }
+    std::vector<double> by_area{8, 8, 4, 4, 2, 2};
+    for (double& expected : by_area) expected *= samples / 28.0;
+    CHECK(chi_square(counts, by_area) < 5 + 5 * std::sqrt(2 * 5.0));
+}
+
+TEST_CASE_TEMPLATE("box: uv, and the point exactly on the face", T, float, double) {
+    const box<T> bar{{0, 0, 0}, {1, 2, 4}};
+    hit_record<T> rec;
+    REQUIRE(bar.hit({{T(0.25), T(1.5), 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
+    CHECK(rec.uv == vec2<T>(0.25, 0.75));
+    REQUIRE(bar.hit({{9, 1, 3}, {-1, 0, 0}}, T(0), infinity<T>, rec));
+    CHECK(rec.uv == vec2<T>(0.5, 0.75));
+    REQUIRE(bar.hit({{T(0.25), -9, 1}, {0, 1, 0}}, T(0), infinity<T>, rec));
+    CHECK(rec.uv == vec2<T>(0.25, 0.25));
+    REQUIRE(bar.hit({{T(0.1), -9, T(0.7)}, {T(0.03), 1, T(0.01)}}, T(0), infinity<T>, rec));
+    CHECK((rec.point.y == T(0) && rec.error.y == T(0)));
+}
+
 TEST_CASE_TEMPLATE("box: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
     check_accuracy<box<T>>(nightly_run);
 }
+
+static_assert(box<double>{{0, 0, 0}, {1, 1, 1}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));
+static_assert(!box<float>{{0.5, 0, 0}, {1, 1, 1}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));
 
 }  // namespace raio::test

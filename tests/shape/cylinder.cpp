@@ -1,6 +1,7 @@
 #include <raio/shape/cylinder.hpp>
 
 #include "support/cases.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
 
@@ -175,8 +176,44 @@ TEST_CASE_TEMPLATE("open_cylinder: properties of every shape", T, float, double)
 }
 
 TEST_CASE_TEMPLATE("open_cylinder: as exact arithmetic", T, float, double) {
-    check_accuracy<open_cylinder<T>>(normal_run);
+    check_accuracy<open_cylinder<T>>(normal_run, 1.0 / 200);
     check_bounds_of_errors<open_cylinder<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("cylinder: area, and samples spread evenly over it", T, float, double) {
+    const cylinder<T> can{{1, 2, 3}, {3, 3, 5}, 2};  // 3 high
+    CHECK(can.area() == doctest::Approx(20 * std::numbers::pi));
+    // A fifth of the area is each cap, three fifths are the side.
+    check_sampling(can, [&](const hit_record<T>& rec) {
+        const T up = dot(rec.normal, normalize(can.top - can.base)), v = rec.uv.y;
+        const bool on_side = std::abs(up) < T(0.5);
+        return vec2<T>(rec.uv.x, (on_side ? 1 + 3 * v : up < 0 ? v * v : 4 + v * v) / 5);
+    });
+}
+
+TEST_CASE_TEMPLATE("open_cylinder: area, and samples spread evenly over it", T, float, double) {
+    const open_cylinder<T> tube{{1, 2, 3}, {3, 3, 5}, 2};
+    CHECK(tube.area() == doctest::Approx(12 * std::numbers::pi));
+    check_sampling(tube, [](const hit_record<T>& rec) { return rec.uv; });
+}
+
+TEST_CASE_TEMPLATE("cylinder: uv", T, float, double) {
+    const cylinder<T> can{{0, 0, 0}, {0, 0, 4}, 2};
+    const auto uv = [&](const ray<T>& ray) {
+        hit_record<T> rec;
+        REQUIRE(can.hit(ray, T(0), infinity<T>, rec));
+        return rec.uv;
+    };
+    CHECK(uv({{9, 0, 1}, {-1, 0, 0}}).y == T(0.25));
+    CHECK(uv({{9, 0, 0}, {-1, 0, 0}}).y == T(0));
+    CHECK(uv({{0, 9, 4}, {0, -1, 0}}).y == T(1));
+    CHECK(uv({{0, 0, 9}, {0, 0, -1}}) == vec2<T>(0, 0));
+    CHECK(uv({{1, 0, 9}, {0, 0, -1}}).y == T(0.5));
+    CHECK(uv({{0, -2, -9}, {0, 0, 1}}).y == T(1));
+    // The same angle on the side and on both caps.
+    CHECK(uv({{9, 9, 1}, {-1, -1, 0}}).x == doctest::Approx(uv({{1, 1, 9}, {0, 0, -1}}).x));
+    CHECK(uv({{9, 9, 1}, {-1, -1, 0}}).x == doctest::Approx(uv({{1, 1, -9}, {0, 0, 1}}).x));
+    CHECK(std::abs(uv({{9, 9, 1}, {-1, -1, 0}}).x - uv({{-9, -9, 1}, {1, 1, 0}}).x) == doctest::Approx(0.5));
 }
 
 TEST_CASE_TEMPLATE("cylinder: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
@@ -186,7 +223,7 @@ TEST_CASE_TEMPLATE("cylinder: as exact arithmetic, ten million times" * doctest:
 
 TEST_CASE_TEMPLATE("open_cylinder: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
                    double) {
-    check_accuracy<open_cylinder<T>>(nightly_run);
+    check_accuracy<open_cylinder<T>>(nightly_run, 1.0 / 200);
 }
 
 }  // namespace raio::test

@@ -1,6 +1,7 @@
 #include <raio/shape/disc.hpp>
 
 #include "support/cases.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
 
@@ -69,8 +70,29 @@ TEST_CASE_TEMPLATE("disc: as exact arithmetic", T, float, double) {
     check_bounds_of_errors<disc<T>>(normal_run / 5);
 }
 
+TEST_CASE_TEMPLATE("disc: area, and samples spread evenly over it", T, float, double) {
+    CHECK(disc<T>{{1, 2, 3}, {0, 5, 0}, 2}.area() == doctest::Approx(4 * std::numbers::pi));
+    const auto to_square = [](const hit_record<T>& rec) { return vec2<T>(rec.uv.x, rec.uv.y * rec.uv.y); };
+    check_sampling(disc<T>{{0, 0, 0}, {0, 0, 1}, 1}, to_square);
+    check_sampling(disc<T>{{5, -4, 3}, {1, -2, 2}, 3}, to_square);
+}
+
+TEST_CASE_TEMPLATE("disc: uv", T, float, double) {
+    hit_record<T> rec;
+    const disc<T> large{{1, 1, 0}, {0, 0, 1}, 4};
+    REQUIRE(large.hit({{1, 1, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
+    CHECK(rec.uv == vec2<T>(0, 0));
+    REQUIRE(large.hit({{3, 1, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
+    CHECK(rec.uv.y == T(0.5));
+    REQUIRE(large.hit({{1, 5, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
+    CHECK(rec.uv.y == T(1));
+}
+
 TEST_CASE_TEMPLATE("disc: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
     check_accuracy<disc<T>>(nightly_run);
 }
+
+static_assert(disc<double>{{0, 0, 0}, {0, 0, 1}, 1}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));
+static_assert(!disc<float>{{1, 1, 0}, {0, 0, 1}, 1}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));
 
 }  // namespace raio::test

@@ -65,8 +65,26 @@ TEST_CASE_TEMPLATE("plane: as exact arithmetic", T, float, double) {
     check_bounds_of_errors<plane<T>>(normal_run / 5);
 }
 
+TEST_CASE_TEMPLATE("plane: uv", T, float, double) {
+    const plane<T> floor{{10, 0, 10}, {0, 1, 0}};
+    const auto uv = [&](T x, T z) {
+        hit_record<T> rec;
+        REQUIRE(floor.hit({{x, 5, z}, {0, -1, 0}}, T(0), infinity<T>, rec));
+        return rec.uv;
+    };
+    CHECK(uv(10, 10) == vec2<T>(0, 0));
+    for (const T whole : {T(-7), T(1), T(100)}) {
+        CHECK(uv(T(10.25), T(10.5)) == uv(T(10.25) + whole, T(10.5)));
+        CHECK(uv(T(10.25), T(10.5)) == uv(T(10.25), T(10.5) + whole));
+    }
+    CHECK(uv(T(10.25), T(10.5)) != uv(T(10.5), T(10.5)));
+}
+
 TEST_CASE_TEMPLATE("plane: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
     check_accuracy<plane<T>>(nightly_run);
 }
+
+static_assert(plane<double>{{0, 0, 0}, {0, 0, 1}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));
+static_assert(!plane<float>{{0, 0, 0}, {0, 0, 1}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 4));
 
 }  // namespace raio::test

@@ -1,6 +1,7 @@
 #include <raio/shape/sphere.hpp>
 
 #include "support/cases.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
 
@@ -85,9 +86,39 @@ TEST_CASE_TEMPLATE("sphere: as exact arithmetic", T, float, double) {
     check_bounds_of_errors<sphere<T>>(normal_run / 5);
 }
 
+TEST_CASE_TEMPLATE("sphere: area, and samples spread evenly over it", T, float, double) {
+    CHECK(sphere<T>{{1, 2, 3}, 2}.area() == doctest::Approx(16 * std::numbers::pi));
+    const auto to_square = [](const hit_record<T>& rec) {
+        return vec2<T>(rec.uv.x, (1 - std::cos(rec.uv.y * pi<T>)) / 2);
+    };
+    check_sampling(sphere<T>{{0, 0, 0}, 1}, to_square);
+    check_sampling(sphere<T>{{-10, 20, 30}, T(0.25)}, to_square);
+}
+
+TEST_CASE_TEMPLATE("sphere: uv", T, float, double) {
+    const sphere<T> globe{{1, 1, 1}, 1};
+    const auto uv = [&](const vec3<T>& outward) {
+        hit_record<T> rec;
+        REQUIRE(globe.hit({globe.center + outward * T(3), -outward}, T(0), infinity<T>, rec));
+        return rec.uv;
+    };
+    CHECK(uv({1, 0, 0}) == vec2<T>(0, 0.5));
+    CHECK(uv({0, 0, -1}) == vec2<T>(0.25, 0.5));
+    CHECK(uv({-1, 0, 0}) == vec2<T>(0.5, 0.5));
+    CHECK(uv({0, 0, 1}) == vec2<T>(0.75, 0.5));
+    CHECK(uv({0, 1, 0}).y == 1);
+    CHECK(uv({0, -1, 0}).y == 0);
+    CHECK(uv({1, 1, 0}).y == doctest::Approx(0.75));
+}
+
 TEST_CASE_TEMPLATE("sphere: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
                    double) {
     check_accuracy<sphere<T>>(nightly_run);
 }
+
+#if defined(__GNUC__) && !defined(__clang__)  // whose square root is constexpr
+static_assert(sphere<double>{{0, 0, 0}, 1}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));
+static_assert(!sphere<float>{{2, 0, 0}, 1}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));
+#endif
 
 }  // namespace raio::test

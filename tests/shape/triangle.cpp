@@ -1,6 +1,6 @@
 #include <raio/shape/triangle.hpp>
 
-#include "support/triangles.hpp"
+#include "support/meshes.hpp"
 
 namespace raio::test {
 
@@ -26,9 +26,21 @@ TEST_CASE_TEMPLATE("triangle: as exact arithmetic", T, float, double) {
     check_bounds_of_errors<triangle<T>>(normal_run / 5);
 }
 
+TEST_CASE_TEMPLATE("triangle: area, and samples spread evenly over it", T, float, double) {
+    check_triangle_sampling<triangle<T>>();
+}
+
+TEST_CASE_TEMPLATE("triangle: no ray leaves a closed mesh unseen", T, float, double) {
+    check_closed_mesh(icosphere<triangle<T>>());
+    check_closed_mesh(cube_of_fans<triangle<T>>());
+}
+
 TEST_CASE_TEMPLATE("triangle: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
                    double) {
     check_accuracy<triangle<T>>(nightly_run);
 }
+
+static_assert(triangle<double>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));
+static_assert(!triangle<float>{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));
 
 }  // namespace raio::test

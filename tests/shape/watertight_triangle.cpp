@@ -1,6 +1,6 @@
 #include <raio/shape/watertight_triangle.hpp>
 
-#include "support/triangles.hpp"
+#include "support/meshes.hpp"
 
 namespace raio::test {
 
@@ -29,9 +29,23 @@ TEST_CASE_TEMPLATE("watertight_triangle: as exact arithmetic", T, float, double)
     check_bounds_of_errors<watertight_triangle<T>>(normal_run / 5);
 }
 
+TEST_CASE_TEMPLATE("watertight_triangle: area, and samples spread evenly over it", T, float, double) {
+    check_triangle_sampling<watertight_triangle<T>>();
+}
+
+TEST_CASE_TEMPLATE("watertight_triangle: no ray leaves a closed mesh unseen", T, float, double) {
+    check_closed_mesh(icosphere<watertight_triangle<T>>());
+    check_closed_mesh(cube_of_fans<watertight_triangle<T>>());
+}
+
 TEST_CASE_TEMPLATE("watertight_triangle: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
                    float, double) {
     check_accuracy<watertight_triangle<T>>(nightly_run);
 }
+
+static_assert(watertight_triangle<double>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0,
+                                                                                    9));
+static_assert(!watertight_triangle<float>{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0,
+                                                                                    9));
 
 }  // namespace raio::test

@@ -2,7 +2,7 @@
 # Who includes whom, and what else every header keeps to.
 cmake_minimum_required(VERSION 3.25)
 
-# The floors of the library, lowest first. A header includes headers of lower floors, and of its own floor without a cycle.
+# The floors of the library, lowest first. A header includes headers of lower floors, and of its own without a cycle.
 set(floors
     "config\\.hpp"
     "math/.*"

@@ -1,6 +1,6 @@
 # cmake -D ROOT=<checkout> -D HELLO=<program> -P readme.cmake
-# The README's program is examples/hello.cpp, letter by letter, it prints what the README says, and every file that the README
-# links to is there.
+# The README's program is examples/hello.cpp, letter by letter, it prints what the README says, and every file that the
+# README links to is there.
 cmake_minimum_required(VERSION 3.25)
 
 file(READ ${ROOT}/README.md readme)

@@ -96,10 +96,11 @@ bool undecided(const probe<Shape>& p) {
     return false;
 }
 
-/// Sends rays in numbers. Floats are always right; of the doubles less than one in a thousand may go wrong, and only
-/// where double_double says that it cannot decide.
+/// Sends rays in numbers. Floats are always right; of the doubles a few may go wrong, and only where double_double says
+/// that it cannot decide: mostly rays from a point of the surface, rounded to double, whose t is below 1e-16 of its
+/// size.
 template <class Shape>
-void check_accuracy(int rays) {
+void check_accuracy(int rays, double excusable = 1e-3) {
     using T = number_t<Shape>;
     int hits = 0, excused = 0;
     double worst_ulp = 0;
@@ -112,7 +113,7 @@ void check_accuracy(int rays) {
     });
     MESSAGE(rays << " rays, " << hits << " hits, worst error of t: " << worst_ulp << " ulp, undecided: " << excused);
     CHECK(hits > rays / 20);
-    CHECK(excused < rays / 1000);
+    CHECK(excused < rays * excusable);
 }
 
 /// In the precision of W: wherever a crossing is certain it exists if and only if the exact one does, and its t is off

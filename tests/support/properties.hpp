@@ -97,7 +97,8 @@ std::string direction_not_scaled(const probe<Shape>& p) {
         for_each_number(ray.direction, [&](T& x) { x = scaled(x, exponent); });
         const bool scaled_hit = p.shape.hit(ray, T(0), infinity<T>, scaled_rec);
         const T t = hit ? scaled(rec.t, -exponent) : T(0), t_back = scaled_hit ? scaled(scaled_rec.t, exponent) : T(0);
-        in_range = in_range && (t_back != 0 || scaled_hit == hit);  // or else t was below 0 by less than any number
+        in_range =
+            in_range && (!scaled_hit || scaled_rec.t != 0 || (hit && t == 0));  // no t too small to be told from 0
         if (!in_range) continue;
         if (scaled_hit != hit) return "hit depends on the length of direction";
         if (hit && (scaled_rec.t != t || rec.t != t_back)) return "t = " + literal(scaled_rec.t) + " for " + literal(t);

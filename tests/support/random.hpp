@@ -7,7 +7,7 @@
 #include <raio/math/vec.hpp>
 
 /// \file
-/// Random numbers that are the same in every run, with every compiler and standard library.
+/// Random numbers that are the same in every run: the generator and the distributions are our own.
 
 namespace raio::test {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "support/cases.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
 
@@ -105,6 +106,19 @@ void check_triangle_cases() {
         {"window ends at the crossing", unit, ahead, enters(5), 0, 5},
         {"window that is not a number", unit, ahead, misses, nan<T>},
     });
+}
+
+template <class Triangle>
+void check_triangle_sampling() {
+    using T = number_t<Triangle>;
+    CHECK(Triangle{{1, 1, 1}, {4, 1, 1}, {1, 5, 1}}.area() == T(6));
+    CHECK(Triangle{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}}.area() == T(0));
+    const auto to_square = [](const hit_record<T>& rec) {
+        const T sum = rec.uv.x + rec.uv.y;
+        return vec2<T>(sum * sum, rec.uv.y / sum);
+    };
+    check_sampling(Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, to_square);
+    check_sampling(Triangle{{1, 2, 3}, {4, 0, 7}, {-3, 1, 1}}, to_square);
 }
 
 }  // namespace raio::test

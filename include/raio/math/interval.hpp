@@ -86,7 +86,7 @@ RAIO_FN constexpr spans<T, N + M> subtract(const spans<T, N>& a, const spans<T, 
     for (interval<T> left : a) {
         for (; j < b.count && b.intervals[j].max <= left.min; ++j) {
         }
-        for (std::size_t k = j; k < b.count && b.intervals[k].min < left.max; ++k) {
+        for (std::size_t k = j; k < b.count && left.max > b.intervals[k].min; ++k) {
             if (left.min < b.intervals[k].min) rest.append({left.min, b.intervals[k].min});
             left.min = b.intervals[k].max;
         }

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "support/triangles.hpp"
+
+/// \file
+/// Closed meshes, and the promise that they are closed.
+
+namespace raio::test {
+
+/// A regular icosahedron whose triangles are divided in four, twice, and blown up to a sphere of radius 1.
+template <class Triangle>
+std::vector<Triangle> icosphere() {
+    using T = number_t<Triangle>;
+    const double golden = (1 + std::sqrt(5.0)) / 2;
+    const auto vertex = [](const vec3<double>& v) { return vec3<T>(normalize(v)); };
+    std::vector<Triangle> mesh;
+    // The vertices are (0, +-1, +-golden) and its two rotations; the faces are the triples at distance 2.
+    std::vector<vec3<double>> corners;
+    for (const double one : {-1.0, 1.0}) {
+        for (const double g : {-golden, golden}) {
+            corners.insert(corners.end(), {{0, one, g}, {one, g, 0}, {g, 0, one}});
+        }
+    }
+    const auto neighbours = [](const vec3<double>& a, const vec3<double>& b) {
+        return std::abs(length(a - b) - 2) < 1e-9;
+    };
+    for (std::size_t i = 0; i < 12; ++i) {
+        for (std::size_t j = i + 1; j < 12; ++j) {
+            for (std::size_t k = j + 1; k < 12; ++k) {
+                const vec3<double> a = corners[i], b = corners[j], c = corners[k];
+                if (!neighbours(a, b) || !neighbours(b, c) || !neighbours(c, a)) continue;
+                const bool outward = dot(cross(b - a, c - a), a) > 0;
+                mesh.push_back({vertex(a), vertex(outward ? b : c), vertex(outward ? c : b)});
+            }
+        }
+    }
+    for (int level = 0; level < 2; ++level) {
+        std::vector<Triangle> finer;
+        for (const Triangle& t : mesh) {
+            const auto middle = [&](const vec3<T>& p, const vec3<T>& q) { return vertex(to_double(p) + to_double(q)); };
+            const vec3<T> ab = middle(t.a, t.b), bc = middle(t.b, t.c), ca = middle(t.c, t.a);
+            finer.insert(finer.end(), {{t.a, ab, ca}, {ab, t.b, bc}, {ca, bc, t.c}, {ab, bc, ca}});
+        }
+        mesh = finer;
+    }
+    return mesh;
+}
+
+/// The cube from -1 to 1, each face a fan of 16 triangles around its centre.
+template <class Triangle>
+std::vector<Triangle> cube_of_fans() {
+    using T = number_t<Triangle>;
+    std::vector<vec2<T>> rim;  // around the square, from corner to corner
+    for (const vec2<T> corner : {vec2<T>(-1, -1), vec2<T>(1, -1), vec2<T>(1, 1), vec2<T>(-1, 1)}) {
+        for (int i = 0; i < 4; ++i) rim.push_back(corner + vec2<T>(-corner.y, corner.x) * T(i) / T(2));
+    }
+    std::vector<Triangle> mesh;
+    for (const T side : {T(-1), T(1)}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto on_face = [&](const vec2<T>& p) {
+                const vec3<T> v(side, p.x * side, p.y);
+                return axis == 0 ? v : axis == 1 ? vec3<T>(v.z, v.x, v.y) : vec3<T>(v.y, v.z, v.x);
+            };
+            for (std::size_t i = 0; i < rim.size(); ++i) {
+                mesh.push_back({on_face(vec2<T>(0)), on_face(rim[i]), on_face(rim[(i + 1) % rim.size()])});
+            }
+        }
+    }
+    return mesh;
+}
+
+/// Rays from inside, aimed at vertices and at points of edges: each hits some triangle, and only backs.
+template <class Triangle>
+void check_closed_mesh(const std::vector<Triangle>& mesh) {
+    using T = number_t<Triangle>;
+    random_numbers random(12);
+    int leaks = 0, fronts = 0;
+    for (int i = 0; i < 2 * normal_run; ++i) {
+        const Triangle& t = mesh[static_cast<std::size_t>(random.integer(0, static_cast<int>(mesh.size()) - 1))];
+        const bool at_vertex = i % 2 == 0;
+        const vec3<T> target = at_vertex ? t.a : t.a + (t.b - t.a) * static_cast<T>(random.uniform());
+        const vec3<T> origin(random.one_in(4) ? vec3<double>(0) : random.direction() * random.uniform(0, 0.5));
+        const ray<T> ray{origin, target - origin};
+        bool hit = false;
+        for (const Triangle& other : mesh) {
+            if (!other.occluded(ray, T(0), infinity<T>)) continue;
+            hit = true;
+            hit_record<T> rec;
+            fronts += other.hit(ray, T(0), infinity<T>, rec) && rec.front_face;
+        }
+        if (!hit && ++leaks <= 3) FAIL_CHECK("leak, towards " << literal(t) << ", {" << literal(ray) << "}");
+    }
+    CHECK(leaks == 0);
+    CHECK(fronts == 0);
+}
+
+}  // namespace raio::test
