@@ -32,6 +32,11 @@ color texture::at(double s, double t) const {
 }
 
 texture read_texture(const std::filesystem::path& path) {
+    std::error_code ignored;  // what is not there is found out by reading it
+    const auto kind = std::filesystem::status(path, ignored).type();
+    if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found) {
+        throw std::runtime_error("is not a file");  // a device may have no end
+    }
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> content(std::istreambuf_iterator<char>(file), {});
     if (content.empty()) throw std::runtime_error("cannot be read, or is empty");

@@ -88,6 +88,12 @@ TEST_CASE("a PNG is read back with the same pixels") {
     CHECK(std::string(read.texels.begin(), read.texels.end()) == small_bytes);
 }
 
+TEST_CASE("a folder is no texture, and neither is a device without end") {
+    const folder folder;
+    CHECK_THROWS_WITH(read_texture(folder / "."), "is not a file");
+    if (std::filesystem::exists("/dev/zero")) CHECK_THROWS_WITH(read_texture("/dev/zero"), "is not a file");
+}
+
 TEST_CASE("nothing but the picture is left, and a picture that was there is replaced") {
     const folder folder;
     for (int i = 0; i < 2; ++i) {
