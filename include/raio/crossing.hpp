@@ -9,8 +9,13 @@
 /// A shape writes its formula once, for a number type W, and says with each crossing how large the rounding errors of W
 /// can have become. For float and double the formula is tried in strict_double. If every decision and the last bit of t
 /// are then beyond the error, that is the answer; if not, it is evaluated again in double_double. So t is the exact
-/// crossing, correctly rounded, and a ray that just misses misses, at the price of a plain double in all but a few
-/// cases (Ziv, ACM TOMS 17(3), 1991, rounds elementary functions like this; Shewchuk, 1997, the signs of determinants).
+/// crossing, correctly rounded, and a ray that just misses misses (Ziv, ACM TOMS 17(3), 1991, rounds elementary
+/// functions like this; Shewchuk, 1997, the signs of determinants). A float needs the second look in a few cases of a
+/// thousand. A double needs it for the last bit of every t, but not for a verdict: misses and `occluded` cost what they
+/// cost a float.
+///
+/// The local variables of class type here and in the shapes are not const: GCC keeps a const aggregate in memory, where
+/// every step waits for the one before to be stored.
 
 namespace raio {
 
@@ -46,11 +51,6 @@ struct crossing {
     bound_t<W> error;      ///< bound of |t - exact t|
     mask_t<W> entering;    ///< does the line come from the outside here?
     index_t<W> face = {};  ///< which face of the shape, as the shape counts them
-
-    template <class V>
-    RAIO_FN constexpr explicit operator crossing<V>() const {
-        return {exists, certain, V(t), bound_t<V>(error), entering, face};
-    }
 };
 
 /// Two crossings of one line, in order. Of a convex solid both exist or none does, and the line is inside between them.
