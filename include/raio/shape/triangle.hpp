@@ -71,10 +71,11 @@ struct triangle {
     template <class W>
     RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& at, hit_record<T>& rec) const {
         using Q = quick_t<T>;
-        vec3<W> corner(a), edge1 = vec3<W>(b) - corner, edge2 = vec3<W>(c) - corner;
+        vec3<W> corner(a), edge1 = scaled_into_range(vec3<W>(b) - corner),
+                           edge2 = scaled_into_range(vec3<W>(c) - corner);
         vec3<Q> across(cross(edge1, edge2)), e1(edge1), e2(edge2);
         vec3<Q> p((vec3<W>(ray.origin) - corner) + vec3<W>(ray.direction) * at.t);
-        vec3<T> outward(normalize(vec3<Q>(cross(scaled_into_range(edge1), scaled_into_range(edge2)))));
+        vec3<T> outward(normalize(across));
         record_point(ray, at, rec);
         // The exact point is a mean of the corners; where the triangle is seen edge-on the computed one may lie beyond
         // them.
@@ -83,7 +84,7 @@ struct triangle {
                      between(rec.point.z, a.z, b.z, c.z)};
         rec.normal = outward * select(at.entering, T(1), T(-1));
         // The areas of the triangles that the point makes with two of the corners, over the area of the whole.
-        Q over_area2 = Q(1) / dot(across, across);
+        Q over_area2 = quotient(Q(1), dot(across, across), Q(0));
         const T u = max(T(0), min(T(1), T(dot(cross(p, e2), across) * over_area2)));
         rec.uv = {u, max(T(0), min(T(1) - u, T(dot(cross(e1, p), across) * over_area2)))};
     }
