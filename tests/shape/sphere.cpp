@@ -78,6 +78,19 @@ TEST_CASE_TEMPLATE("sphere: named cases", T, float, double) {
     });
 }
 
+TEST_CASE("sphere: from a point that lies on it exactly, and no root of 53 bits says so") {
+    check_cases<sphere<float>>({
+        {"inwards",
+         {{0, 0, 0}, 0x1.4d4862p-1f},
+         {{0, 0x1.4d4862p-1f, 0}, {0x1.c86bbcp-1f, -0x1.cfd2a2p-2f, 0x1.9a637ap-7f}},
+         enters(0)},
+        {"outwards",
+         {{0, 0, 0}, 0x1.7649bp-9f},
+         {{0, 0, -0x1.7649bp-9f}, {-0x1.c38c86p-1f, -0x1.e2b0aep-2f, -0x1.64e324p-11f}},
+         leaves(0)},
+    });
+}
+
 TEST_CASE_TEMPLATE("sphere: properties of every shape", T, float, double) { check_properties<sphere<T>>(); }
 
 TEST_CASE_TEMPLATE("sphere: as exact arithmetic", T, float, double) {

@@ -67,8 +67,14 @@ struct sphere {
 
         W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
         E error = E(0x1p14 * u) * (abs(E(b)) + E(s)) * E(over_a);
-        return {{exists, certain, (b - s) * over_a, error, exists},
-                {exists, certain, (b + s) * over_a, error, !exists}};
+        W near = (b - s) * over_a, far = (b + s) * over_a;
+        if constexpr (std::same_as<W, double_double>) {
+            // The product of both roots is c / a with c = l.l - radius^2, which is exact for floats: so the root that
+            // cancels is found from the other one, and a ray that starts on the sphere starts at t = 0.
+            W c = dot(l, l) - W(radius) * W(radius), q = b + copysign(s, b);
+            (q > W(0) ? near : far) = quotient(c, q, W(0));
+        }
+        return {{exists, certain, near, error, exists}, {exists, certain, far, error, !exists}};
     }
 
     template <class W>
