@@ -10,7 +10,8 @@ BAR = (("sphere", "one_weekend", "double"), ("triangle", "glm", None), ("plane",
 def medians(results):
     """{(shape, call, number, percent): (nanoseconds per test, does it return a normal?)}"""
     return {tuple(entry["run_name"].split("/")): (entry["test"] * 1e9, entry["record"] > 0)
-            for entry in results["benchmarks"] if entry.get("aggregate_name", "median") == "median"}
+            for entry in results["benchmarks"] if entry.get("aggregate_name", "median") == "median"
+            and entry["run_name"].split("/")[3] in PERCENTS}  # others are no shapes
 
 
 def calls(measured, shape):

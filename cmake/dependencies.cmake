@@ -25,6 +25,7 @@ raio_source(CLI11 libcli11-dev
 raio_source(stb libstb-dev
     https://github.com/nothings/stb/archive/5736b15f7ea0ffb08dd38af21067c314d6a3aae9.tar.gz
     d00921d49b06af62aa6bfb97c1b136bec661dd11dd4eecbcb0da1f6da7cedb4c)
+raio_source(tinyobjloader libtinyobjloader-dev "" "")
 raio_source(Boost libboost-dev "" "")  # too large to fetch
 
 # Finds the package on the system, or fetches it. Either way its headers are system headers, without warnings.

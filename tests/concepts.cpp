@@ -20,15 +20,23 @@ struct who_is_what {
     static_assert(primitive<cylinder<T>> && bounded<cylinder<T>> && solid<cylinder<T>>);
     static_assert(primitive<open_cylinder<T>> && bounded<open_cylinder<T>>);
     static_assert(!solid<open_cylinder<T>> && sampleable<open_cylinder<T>>);
+    static_assert(primitive<torus<T>> && bounded<torus<T>> && solid<torus<T>> && sampleable<torus<T>>);
     static_assert(primitive<convex_polyhedron<T>> && bounded<convex_polyhedron<T>> && solid<convex_polyhedron<T>>);
+    static_assert(primitive<ring<T>> && bounded<ring<T>> && !solid<ring<T>> && sampleable<ring<T>>);
+    static_assert(primitive<capsule<T>> && bounded<capsule<T>> && solid<capsule<T>> && sampleable<capsule<T>>);
+    static_assert(solid<polyhedron<T, 20>> && std::is_trivially_copyable_v<polyhedron<T, 20>>);
     static_assert(primitive<convex_polyhedron<T, std::span<const half_space<T>>>>);
     static_assert(primitive<group<sphere<T>, std::vector<box<T>>>> && bounded<group<sphere<T>, std::vector<box<T>>>>);
-    static_assert(!solid<group<sphere<T>>> && !sampleable<group<sphere<T>>>);
+    static_assert(solid<group<sphere<T>>> && !solid<group<sphere<T>, disc<T>>> && !sampleable<group<sphere<T>>>);
+    static_assert(solid<csg<set_operation::unite, sphere<T>, const box<T>*>>);
+    static_assert(bounded<transformed<sphere<T>>> && solid<transformed<sphere<T>>> && !solid<transformed<disc<T>>>);
+    static_assert(primitive<transformed<const group<sphere<T>>*>>);
 
     // Plain data: no constructor hides work, nothing is virtual.
     static_assert(std::is_aggregate_v<sphere<T>> && std::is_aggregate_v<plane<T>> && std::is_aggregate_v<disc<T>>);
     static_assert(std::is_aggregate_v<triangle<T>> && std::is_aggregate_v<watertight_triangle<T>>);
-    static_assert(std::is_aggregate_v<box<T>> && std::is_aggregate_v<cylinder<T>> && std::is_aggregate_v<ray<T>>);
+    static_assert(std::is_aggregate_v<box<T>> && std::is_aggregate_v<cylinder<T>> && std::is_aggregate_v<torus<T>> &&
+                  std::is_aggregate_v<ray<T>>);
     static_assert(std::is_trivially_copyable_v<sphere<T>> && std::is_trivially_copyable_v<hit_record<T>>);
     static_assert(sizeof(sphere<T>) == 4 * sizeof(T) && sizeof(triangle<T>) == 9 * sizeof(T));
 

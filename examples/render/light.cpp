@@ -52,11 +52,17 @@ std::optional<incoming_light> sample_emitter(const world& world, const hit_recor
     const vec3 direction = raio::normalize(to_point);
     const ray shadow_ray = raio::spawn_ray(rec, direction);
     hit_record there;
-    // The ray aims at the point and meets the emitter near it, but not exactly there. A line meets each of these shapes
-    // once from the outside and once from the inside at most, so the side tells whether this is the place that was
-    // chosen.
+    // The ray aims at the point and meets the emitter near it, but not exactly there. A line meets all shapes but the
+    // torus once from the outside and once from the inside at most, so the side tells whether this is the place that
+    // was chosen.
     if (!world.hit(shadow_ray, 0, raio::infinity<number>, there) || there.index != emitter) return {};
     if (there.front_face != (raio::dot(normal, direction) < 0)) return {};
+    if (const auto* torus = std::get_if<raio::torus<number>>(&world.scene().objects[emitter].shape)) {
+        // Between two places that show the same side lies one that shows the other: the chosen one lies nearer to it.
+        hit_record next;
+        const bool again = torus->hit(raio::spawn_ray(there, direction), 0, raio::infinity<number>, next);
+        if (again && raio::length(to_point) > there.t + next.t / 2) return {};
+    }
     const number density = emitter_density(world, shadow_ray, there);
     if (!(density > 0 && density < raio::infinity<number>)) return {};
     return incoming_light{direction, raio::dot(rec.normal, direction), emission(world, there) * world.clarity(there.t),

@@ -1,59 +1,17 @@
 #include "reader.hpp"
 
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
-#include <system_error>
 #include <utility>
 
-#include <glm/vector_relational.hpp>
+#include "reading.hpp"
+#include "shape_reader.hpp"
 
 namespace render {
 namespace {
-
-/// What can stand in one place of a file: the word, and how to read what follows it.
-template <class Reading>
-using by_name = std::map<std::string_view, Reading>;
-
-template <class Reading>
-const Reading& choose(tokens& in, const by_name<Reading>& known, std::string_view expected) {
-    if (const auto entry = known.find(in.peek()); entry != known.end()) {
-        in.expect_word(expected);
-        return entry->second;
-    }
-    std::string names;
-    for (const auto& [name, reading] : known) names += joined({names.empty() ? ": " : ", ", name});
-    in.fail(joined({expected, names}));
-}
-
-template <class Reading>
-auto section(tokens& in, std::string_view what, Reading read_one) {
-    std::vector<decltype(read_one())> items;
-    for (std::size_t left = in.expect_count(what); left > 0; --left) items.push_back(read_one());
-    return items;
-}
-
-template <std::size_t N>
-std::array<number, N> numbers(tokens& in, std::string_view what, const requirement& must_be = any_number) {
-    std::array<number, N> values;
-    for (number& value : values) value = in.expect_number(what, must_be);
-    return values;
-}
-
-vec3 vector(tokens& in, std::string_view what, const requirement& must_be = any_number) {
-    const auto [x, y, z] = numbers<3>(in, what, must_be);
-    return {x, y, z};
-}
-
-vec3 direction(tokens& in, std::string_view what) {
-    const vec3 v = vector(in, what);
-    if (v == vec3(0)) in.fail("0 0 0", joined({"a direction for ", what}));
-    return v;
-}
 
 camera_description read_camera(tokens& in) {
     constexpr requirement opening{"an angle above 0 and below 180", [](double x) { return x > 0 && x < 180; }};
@@ -144,69 +102,13 @@ material read_material(tokens& in) {
     return finish;
 }
 
-shape read_disc(tokens& in) {
-    return raio::disc<number>{vector(in, "the centre of a disc"), direction(in, "the normal of a disc"),
-                              in.expect_number("the radius of a disc", positive)};
-}
-
-template <class Cylinder>
-shape read_cylinder(tokens& in) {
-    const vec3 base = vector(in, "the base of a cylinder"), axis = direction(in, "the axis of a cylinder");
-    const number radius = in.expect_number("the radius of a cylinder", positive);
-    const number height = in.expect_number("the height of a cylinder", positive);
-    const vec3 top = base + raio::normalize(axis) * height;
-    if (top == base) in.fail("a height that is lost in the rounding of the base", "a higher cylinder");
-    return Cylinder{base, top, radius};
-}
-
-shape read_triangle(tokens& in) {
-    constexpr auto what = "the corners of a triangle";
-    const raio::triangle<number> triangle{vector(in, what), vector(in, what), vector(in, what)};
-    if (triangle.area() == 0) in.fail("a triangle without area", "corners that are not on one line");
-    return triangle;
-}
-
-shape read_box(tokens& in) {
-    const raio::box<number> box{vector(in, "the minimum of a box"), vector(in, "the maximum of a box")};
-    if (!glm::all(glm::lessThanEqual(box.min, box.max))) {
-        in.fail("a minimum above the maximum of a box", "the lesser coordinates first");
-    }
-    if (box.area() == 0) in.fail("a box without area", "sizes that are 0 along one axis at most");
-    return box;
-}
-
-shape read_polyhedron(tokens& in) {
-    raio::convex_polyhedron<number> polyhedron;
-    polyhedron.planes = section(in, "planes of a polyhedron", [&] {
-        return raio::half_space<number>{direction(in, "the normal of a polyhedron's plane"),
-                                        in.expect_number("the offset of a polyhedron's plane")};
-    });
-    if (polyhedron.planes.empty()) in.fail("a polyhedron without planes", "at least one");
-    return polyhedron;
-}
-
-const by_name<shape (*)(tokens&)> shapes{
-    {"sphere",
-     [](tokens& in) -> shape {
-         return raio::sphere<number>{vector(in, "the centre of a sphere"),
-                                     in.expect_number("the radius of a sphere", positive)};
-     }},
-    {"plane",
-     [](tokens& in) -> shape {
-         return raio::plane<number>{vector(in, "the point of a plane"), direction(in, "the normal of a plane")};
-     }},
-    {"circle", read_disc},
-    {"disc", read_disc},
-    {"triangle", read_triangle},
-    {"box", read_box},
-    {"cylinder", read_cylinder<raio::cylinder<number>>},
-    {"open_cylinder", read_cylinder<raio::open_cylinder<number>>},
-    {"polyhedron", read_polyhedron},
-};
-
-object read_object(tokens& in, const scene& s) {
-    return {in.expect_index("pigment", s.pigments.size()), in.expect_index("material", s.materials.size()),
-            choose(in, shapes, "a shape")(in)};
+/// One object of the file, which are several if it is a mesh.
+std::vector<object> read_object(tokens& in, const scene& s, const meshes& known) {
+    const std::size_t pigment = in.expect_index("pigment", s.pigments.size());
+    const std::size_t material = in.expect_index("material", s.materials.size());
+    std::vector<object> objects;
+    for (shape& each : read_shapes(in, known)) objects.push_back({pigment, material, std::move(each)});
+    return objects;
 }
 
 /// What may follow the objects; each sets one thing, and nothing is set twice.
@@ -242,11 +144,11 @@ const by_name<statement> statements{
 };
 
 /// Scenes of the course may list more objects than they count, and mean the count: the others are checked and left out.
-void read_statements(tokens& in, scene& s) {
+void read_statements(tokens& in, scene& s, const meshes& known) {
     std::set<std::string_view> set;
     while (!in.peek().empty()) {
         if (std::isdigit(static_cast<unsigned char>(in.peek().front()))) {
-            read_object(in, s);
+            read_object(in, s, known);
             continue;
         }
         const statement& next = choose(in, statements, "the end of the file or a statement");
@@ -255,41 +157,25 @@ void read_statements(tokens& in, scene& s) {
     }
 }
 
-std::string read_file(const std::filesystem::path& file) {
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    const auto fail = [&](std::string_view found) {
-        throw scene_error(joined({file.string(), ":1: found ", found, ", expected a scene file"}));
-    };
-    if (!std::filesystem::exists(status)) fail("no such file");
-    if (std::filesystem::is_directory(status)) fail("a directory");
-    if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status)) fail("a device");
-    try {
-        std::ifstream stream(file, std::ios::binary);
-        if (!stream) fail("a file that may not be opened");
-        return {std::istreambuf_iterator<char>(stream), {}};
-    } catch (const std::ios_base::failure&) {
-        fail("a file that cannot be read to its end");
-    }
-    return {};
-}
-
 }  // namespace
 
-scene read_scene(const std::filesystem::path& file, const texture_loader& load) {
-    return parse_scene(read_file(file), file, load);
+scene read_scene(const std::filesystem::path& file, const loaders& load) {
+    return parse_scene(read_text(file, "a scene file"), file, load);
 }
 
-scene parse_scene(std::string_view text, const std::filesystem::path& file, const texture_loader& load) {
+scene parse_scene(std::string_view text, const std::filesystem::path& file, const loaders& load) {
     tokens in(text, file.string());
-    pictures known(file.parent_path(), load);
+    pictures known(file.parent_path(), load.texture);
+    const meshes known_meshes{file.parent_path(), load.mesh};
     scene s;
     s.camera = read_camera(in);
     s.lights = section(in, "lights", [&] { return read_light(in); });
     s.pigments = section(in, "pigments", [&] { return choose(in, pigments, "a pigment")(in, known); });
     s.materials = section(in, "materials", [&] { return read_material(in); });
-    s.objects = section(in, "objects", [&] { return read_object(in, s); });
-    read_statements(in, s);
+    for (auto& o : section(in, "objects", [&] { return read_object(in, s, known_meshes); })) {
+        s.objects.insert(s.objects.end(), o.begin(), o.end());
+    }
+    read_statements(in, s, known_meshes);
     return s;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -23,7 +25,8 @@ std::errc parse(std::string_view token, Number& value) {
 
 }  // namespace
 
-tokens::tokens(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {
+tokens::tokens(std::string_view text, std::string file, std::size_t line)
+    : rest_(text), line_(line), next_line_(line), file_(std::move(file)) {
     if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
     take();
 }
@@ -90,6 +93,25 @@ void tokens::fail(std::string_view found, std::string_view expected) const { fai
 
 void tokens::fail_at(std::size_t line, std::string_view found, std::string_view expected) const {
     throw scene_error(joined({file_, ":", std::to_string(line), ": found ", found, ", expected ", expected}));
+}
+
+std::string read_text(const std::filesystem::path& file, std::string_view expected) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    const auto fail = [&](std::string_view found) {
+        throw scene_error(joined({file.string(), ":1: found ", found, ", expected ", expected}));
+    };
+    if (!std::filesystem::exists(status)) fail("no such file");
+    if (std::filesystem::is_directory(status)) fail("a directory");
+    if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status)) fail("a device");
+    try {
+        std::ifstream stream(file, std::ios::binary);
+        if (!stream) fail("a file that may not be opened");
+        return {std::istreambuf_iterator<char>(stream), {}};
+    } catch (const std::ios_base::failure&) {
+        fail("a file that cannot be read to its end");
+    }
+    return {};
 }
 
 std::string joined(std::initializer_list<std::string_view> parts) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -29,8 +30,8 @@ inline constexpr requirement fraction{"a number from 0 to 1", [](double x) { ret
 /// completes "expected a number for ...".
 class tokens {
 public:
-    /// The text must outlive the tokens; `file` is its name in errors.
-    tokens(std::string_view text, std::string file);
+    /// The text must outlive the tokens; `file` is its name in errors, `line` the number of its first line.
+    tokens(std::string_view text, std::string file, std::size_t line = 1);
 
     /// The next token, which stays the next; empty at the end of the text.
     std::string_view peek() const { return next_; }
@@ -60,9 +61,12 @@ private:
     [[noreturn]] void fail_at(std::size_t line, std::string_view found, std::string_view expected) const;
 
     std::string_view next_, rest_;  // the text from the next token on, cut behind that token
-    std::size_t line_ = 1, next_line_ = 1;
+    std::size_t line_, next_line_;
     std::string file_;
 };
+
+/// All of a file. Throws `scene_error` if there is none: what was expected is told with it.
+std::string read_text(const std::filesystem::path& file, std::string_view expected);
 
 std::string joined(std::initializer_list<std::string_view> parts);
 

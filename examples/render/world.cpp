@@ -10,15 +10,49 @@
 
 namespace render {
 
+namespace {
+
+bool is_finite(const object& o) {
+    const auto ends = [](const auto& s) {
+        const raio::aabb<number> box = s.bounds();
+        return raio::is_finite(box.min) && raio::is_finite(box.max);
+    };
+    return std::visit(ends, o.shape);
+}
+
+}  // namespace
+
 world::world(render::scene scene) : scene_(std::move(scene)) {
-    // A group counts its members type by type; sorted by type, objects have the same numbers.
-    std::ranges::stable_sort(scene_.objects, {}, [](const object& o) { return o.shape.index(); });
-    for (std::uint32_t index = 0; index < scene_.objects.size(); ++index) {
-        const object& o = scene_.objects[index];
-        std::visit([&]<class Shape>(const Shape& s) { std::get<std::vector<Shape>>(shapes_.members).push_back(s); },
-                   o.shape);
+    // Trees and groups count their members type by type; sorted by type, objects have the same numbers.
+    auto& objects = scene_.objects;
+    const auto endless = std::ranges::stable_partition(objects, is_finite);
+    tree_size_ = static_cast<std::uint32_t>(endless.begin() - objects.begin());
+    const auto type = [](const object& o) { return o.shape.index(); };
+    std::ranges::stable_sort(objects.begin(), endless.begin(), {}, type);
+    std::ranges::stable_sort(endless, {}, type);
+
+    kinds_of<shape>::group finite;
+    for (std::uint32_t index = 0; index < objects.size(); ++index) {
+        const object& o = objects[index];
+        auto& members = (index < tree_size_ ? finite : endless_).members;
+        std::visit([&]<class Shape>(const Shape& s) { std::get<std::vector<Shape>>(members).push_back(s); }, o.shape);
         if (shines(scene_.materials[o.material]) && area(o.shape) > 0) emitters_.push_back(index);
     }
+    tree_ = raio::bvh(finite);
+}
+
+bool world::hit(const ray& r, number t_min, number t_max, hit_record& rec) const {
+    const bool in_tree = tree_.hit(r, t_min, t_max, rec);
+    hit_record other;
+    // What stands on a plane does not show through it.
+    if (!endless_.hit(r, t_min, in_tree ? rec.t : t_max, other)) return in_tree;
+    rec = other;
+    rec.index += tree_size_;
+    return true;
+}
+
+bool world::occluded(const ray& r, number t_min, number t_max) const {
+    return endless_.occluded(r, t_min, t_max) || tree_.occluded(r, t_min, t_max);
 }
 
 color world::color_at(const hit_record& rec) const {

@@ -7,22 +7,22 @@
 
 namespace render {
 
+/// What holds shapes of every type that a variant can be.
 template <class Variant>
-struct group_of;
+struct kinds_of;
 template <class... Shapes>
-struct group_of<std::variant<Shapes...>> {
-    using type = raio::group<std::vector<Shapes>...>;
+struct kinds_of<std::variant<Shapes...>> {
+    using group = raio::group<std::vector<Shapes>...>;
+    using tree = raio::bvh<Shapes...>;
 };
 
-/// A scene that is ready for rays: its shapes stand in a group, one vector for each type.
+/// A scene that is ready for rays: a tree of the shapes that end somewhere, and beside it those that do not.
 class world {
 public:
     explicit world(render::scene scene);
 
-    bool hit(const ray& r, number t_min, number t_max, hit_record& rec) const {
-        return shapes_.hit(r, t_min, t_max, rec);
-    }
-    bool occluded(const ray& r, number t_min, number t_max) const { return shapes_.occluded(r, t_min, t_max); }
+    bool hit(const ray& r, number t_min, number t_max, hit_record& rec) const;
+    bool occluded(const ray& r, number t_min, number t_max) const;
 
     /// What the file said, the objects sorted so that `hit_record::index` counts them.
     const render::scene& scene() const { return scene_; }
@@ -41,7 +41,9 @@ public:
 
 private:
     render::scene scene_;
-    group_of<shape>::type shapes_;
+    kinds_of<shape>::tree tree_;
+    std::uint32_t tree_size_ = 0;
+    kinds_of<shape>::group endless_;
     std::vector<std::uint32_t> emitters_;
 };
 

@@ -36,6 +36,13 @@ RAIO_FN constexpr aabb<T> hull(const aabb<T>& box, const vec3<T>& point) {
     return hull(box, aabb<T>{point, point});
 }
 
+/// The points that both contain.
+template <real T>
+RAIO_FN constexpr aabb<T> overlap(const aabb<T>& a, const aabb<T>& b) {
+    return {{max(a.min.x, b.min.x), max(a.min.y, b.min.y), max(a.min.z, b.min.z)},
+            {min(a.max.x, b.max.x), min(a.max.y, b.max.y), min(a.max.z, b.max.z)}};
+}
+
 /// `x` moved by at least one ulp in the direction of `towards`, and by at most two.
 template <real T>
 RAIO_FN constexpr T outward(const T& x, const T& towards) {

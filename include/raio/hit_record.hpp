@@ -5,12 +5,13 @@
 
 namespace raio {
 
-/// Everything about the place where a ray met a shape.
-template <real T>
+/// Everything about the place where a ray met a shape. N is the number type of the normal: a map that has yet to turn
+/// it asks for more digits than T has.
+template <real T, real N = T>
 struct hit_record {
     T t{};                   ///< ray parameter, in lengths of the ray's direction
     vec3<T> point{T(0)};     ///< where
-    vec3<T> normal{T(0)};    ///< unit, against the ray's direction, up to its rounding
+    vec3<N> normal{N(0)};    ///< unit, against the ray's direction, up to its rounding
     vec2<T> uv{T(0)};        ///< surface coordinates in [0, 1]^2, as the shape documents them
     vec3<T> error{T(0)};     ///< how far `point` may be from the exact crossing, axis by axis
     index_t<T> index{};      ///< which member of an aggregate was hit; 0 where there are no members
@@ -18,8 +19,8 @@ struct hit_record {
 };
 
 /// Takes `from` over into `to`, in the lanes of the mask.
-template <real T>
-RAIO_FN constexpr void assign(mask_t<T> mask, hit_record<T>& to, const hit_record<T>& from) {
+template <real T, real N>
+RAIO_FN constexpr void assign(mask_t<T> mask, hit_record<T, N>& to, const hit_record<T, N>& from) {
     if (all(mask)) {
         to = from;
         return;

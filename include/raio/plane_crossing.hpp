@@ -16,10 +16,13 @@ RAIO_FN constexpr crossing<W> cross_plane(const vec3<W>& normal, const vec3<W>& 
     E speed_error = E(4 * u) * dot(abs(vec3<E>(normal)), abs(vec3<E>(direction))), size = abs(E(speed));
     // With the speed above twice its error, 1 / (|speed| - error) is at most 2 / |speed|.
     E error = E(2) * (height_error + abs(E(t)) * speed_error) * abs(E(per_height)) + E(4 * u) * abs(E(t));
-    return {.exists = every(size > tie<W>(speed_error), is_finite(size)),
-            .certain = size >= E(2) * speed_error,
+    // No speed at all is certain where no term of it has a size: not where one was too small for its digits, or is not
+    // in the range.
+    const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= with_underflow<W>(E(0)));
+    return {.exists = every(size > tie<W>(speed_error), in_range),
+            .certain = every(size >= E(2) * speed_error, in_range, has_digits),
             .t = t,
-            .error = error,
+            .error = with_underflow<W>(error),
             .entering = speed < W(0)};
 }
 
@@ -30,11 +33,32 @@ struct plane_height {
     bound_t<W> error;
 };
 
-template <class W, real T>
-RAIO_FN constexpr plane_height<W> height_above(const vec3<W>& normal, const vec3<T>& point, const vec3<T>& origin) {
+template <class W, real T, real R>
+RAIO_FN constexpr plane_height<W> height_above(const vec3<W>& normal, const vec3<T>& point, const vec3<R>& origin) {
     using E = bound_t<W>;
     vec3<W> from_point = vec3<W>(origin) - vec3<W>(point);
-    return {dot(normal, from_point), E(5 * unit_roundoff<W>) * dot(abs(vec3<E>(normal)), abs(vec3<E>(from_point)))};
+    E terms = dot(abs(vec3<E>(normal)), abs(vec3<E>(from_point)));
+    return {dot(normal, from_point), with_underflow<W>(E(5 * unit_roundoff<W>) * terms)};
+}
+
+/// Where a line crosses a plane, and how far from a point of that plane: the square of the distance and its error
+/// bound.
+template <class W>
+struct crossing_about {
+    crossing<W> at;
+    W distance2;
+    bound_t<W> error;
+};
+
+template <class W, real T, real R>
+RAIO_FN constexpr crossing_about<W> cross_plane_about(const vec3<T>& center, const vec3<T>& normal, const ray<R>& ray) {
+    using E = bound_t<W>;
+    vec3<W> n(normal), d(ray.direction), l = vec3<W>(ray.origin) - vec3<W>(center);
+    auto height = height_above<W>(n, center, ray.origin);
+    crossing<W> c = cross_plane(n, d, height.value, height.error);
+    vec3<W> step = d * c.t, from_center = l + step;
+    E off = norm1(vec3<E>(d)) * c.error + E(3 * unit_roundoff<W>) * (norm1(vec3<E>(l)) + norm1(vec3<E>(step)));
+    return {c, dot(from_center, from_center), off * (E(2) * norm1(vec3<E>(from_center)) + off)};
 }
 
 }  // namespace raio

@@ -87,6 +87,23 @@ TEST_CASE_TEMPLATE("group: bounds hold every member", T, float, double) {
     CHECK((!bounds.contains({T(-6.01), 0, 0}) && !bounds.contains({0, 0, T(3.01)})));
 }
 
+TEST_CASE_TEMPLATE("group: inside is inside any of its members", T, float, double) {
+    const std::vector<sphere<T>> spheres{{{0, 0, 0}, 1}, {{0, 0, 6}, 1}, {{0, 0, T(0.5)}, 1}};
+    const group scene{box<T>{{-1, -1, 3}, {1, 1, 5}}, spheres};
+    auto inside = scene.spans({{0, 0, -9}, {0, 0, 1}});
+    REQUIRE(inside.count == 2);
+    CHECK((inside.intervals[0] == interval<T>{8, 10.5} && inside.intervals[1] == interval<T>{12, 16}));
+    static_assert(room_in<decltype(inside)> == any_number);
+    CHECK(scene.spans({{5, 0, -9}, {0, 0, 1}}).empty());
+
+    const group fixed{std::array<sphere<T>, 2>{spheres[1], spheres[0]}, spheres[2]};
+    auto three = fixed.spans({{0, 0, -9}, {0, 0, 1}});
+    REQUIRE(three.count == 2);
+    CHECK((three.intervals[0] == interval<T>{8, 10.5} && three.intervals[1] == interval<T>{14, 16}));
+    static_assert(room_in<decltype(three)> == 3);
+    static_assert(solid<decltype(scene)> && !solid<group<sphere<T>, triangle<T>>>);
+}
+
 TEST_CASE_TEMPLATE("group: as the loop over its members", T, float, double) {
     random_numbers random(9);
     const auto anywhere = [&] { return vec3<T>(random.direction() * random.uniform(0, 10)); };

@@ -11,7 +11,7 @@ __device__ void trace(const Shape& shape, raio::ray<T>& ray, raio::hit_record<T>
     if (shape.hit(ray, T(0), t_max, rec)) ray = raio::spawn_ray(rec, rec.normal);
     if (shape.occluded(ray, T(0), t_max)) rec.t = t_max;
     rec.error = shape.bounds().max;
-    if constexpr (raio::solid<Shape>) rec.t = shape.spans(ray).min;
+    if constexpr (raio::solid<Shape>) rec.t = raio::spans(shape.spans(ray)).begin()->min;
     if constexpr (raio::sampleable<Shape>) rec.t = shape.area() + shape.sample(rec.uv).normal.x;
 }
 
@@ -31,8 +31,14 @@ __global__ void every_shape(raio::ray<T>* rays, raio::hit_record<T>* records, co
     trace(raio::box<T>{p[1], p[2]}, ray, rec);
     trace(raio::cylinder<T>{p[1], p[2], radius}, ray, rec);
     trace(raio::open_cylinder<T>{p[1], p[2], radius}, ray, rec);
+    trace(raio::torus<T>{p[1], p[2], radius, radius}, ray, rec);
     trace(raio::convex_polyhedron<T, std::span<const raio::half_space<T>>>{planes}, ray, rec);
+    trace(raio::ring<T>{p[1], p[2], radius, p[0].y}, ray, rec);
+    trace(raio::capsule<T>{p[1], p[2], radius}, ray, rec);
+    trace(raio::regular_solid<20>(p[1], radius), ray, rec);
     trace(raio::group{raio::sphere<T>{p[1], radius}, raio::box<T>{p[1], p[2]}}, ray, rec);
+    trace(raio::difference_of(raio::sphere<T>{p[1], radius}, raio::box<T>{p[1], p[2]}), ray, rec);
+    trace(raio::transformed{raio::sphere<T>{p[1], radius}, raio::scaling(p[2])}, ray, rec);
 }
 
 template __global__ void every_shape(raio::ray<float>*, raio::hit_record<float>*, const raio::vec3<float>*,

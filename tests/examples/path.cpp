@@ -100,6 +100,13 @@ TEST_CASE("emitters light a matte point as the textbook says") {
         CHECK(std::abs(chosen.mean.x - by_chance.mean.x) < 5 * (chosen.standard_error + by_chance.standard_error));
         CHECK(chosen.standard_error < by_chance.standard_error);
     }
+    SUBCASE("torus, which hides a part of itself twice over: the same as what is found without choosing points on it") {
+        const raio::torus<number> torus{{0.2, 1.5, 0}, {1, 0.4, 0}, 1, 0.4};
+        const estimate chosen = seen_under(torus, 1 << 16);
+        const estimate by_chance = seen_under(raio::any_solid<number>(torus), 1 << 16);
+        CHECK(std::abs(chosen.mean.x - by_chance.mean.x) < 5 * (chosen.standard_error + by_chance.standard_error));
+        CHECK(chosen.standard_error < by_chance.standard_error);
+    }
 }
 
 TEST_CASE("a lamp without size lights a matte floor as it does in Whitted's model") {

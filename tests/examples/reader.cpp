@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <locale>
 #include <string>
 #include <vector>
@@ -26,6 +28,12 @@ Material only_material(const std::string& description) {
     REQUIRE(s.materials.size() == 1);
     REQUIRE(std::holds_alternative<Material>(s.materials[0]));
     return std::get<Material>(s.materials[0]);
+}
+
+bool same(const raio::spans<number, raio::any_number>& found, const std::vector<raio::interval<number>>& expected) {
+    return std::ranges::equal(found, expected, [](const auto& a, const auto& b) {
+        return std::abs(a.min - b.min) < 1e-12 && std::abs(a.max - b.max) < 1e-12;
+    });
 }
 
 }  // namespace
@@ -60,7 +68,7 @@ TEST_CASE("pigments are solid, checker or texture") {
                               "checker .8 .7 .6  1 1 .9  40\n"
                               "texture pictures/wood.png  0 0.012 0.006 0  0.013 0 0.006 1\n"
                               "texture pictures/wood.png  1 2 3 4  5 6 7 8"};
-    const auto pigments = parse_scene(text.joined(), "scenes/test.txt", load).pigments;
+    const auto pigments = parse_scene(text.joined(), "scenes/test.txt", {load, square}).pigments;
     REQUIRE(pigments.size() == 4);
     CHECK(std::get<solid>(pigments[0]).value == color(.44, .25, .04));
     CHECK(std::get<checker>(pigments[1]).even == color(.8, .7, .6));
@@ -153,6 +161,41 @@ TEST_CASE("shapes that the course has not are read") {
     CHECK(tube.base == vec3(1, 2, 3));
     CHECK(tube.top == vec3(1, 2, 13));
     CHECK(tube.radius == 0.5);
+
+    const auto torus = only_shape<raio::torus<number>>("torus 1 2 3  4 5 6  7 0.5");
+    CHECK(torus.center == vec3(1, 2, 3));
+    CHECK(torus.axis == vec3(4, 5, 6));
+    CHECK(torus.major_radius == 7);
+    CHECK(torus.minor_radius == 0.5);
+}
+
+TEST_CASE("transforms stand before any shape, and the last one is applied first") {
+    // Twice as long along z, which is then turned to x, and moved.
+    const auto ellipsoid =
+        only_shape<raio::any_solid<number>>("translate 1 2 3  rotate 0 2 0 90  scale 1 1 2  sphere 0 0 0 1");
+    CHECK(same(ellipsoid.spans(ray{{0, 2, 3}, {1, 0, 0}}), {{-1, 3}}));
+    CHECK(same(ellipsoid.spans(ray{{1, 0, 3}, {0, 1, 0}}), {{1, 3}}));
+    CHECK(same(ellipsoid.spans(ray{{1, 2, 0}, {0, 0, 1}}), {{2, 4}}));
+
+    const auto disc = only_shape<raio::any_primitive<number>>("scale 1 -1 1 translate 0 3 0 disc 0 0 0  0 1 0  1");
+    CHECK(disc.occluded(ray{{0, 0, 0}, {0, -1, 0}}, 2.9, 3.1));
+    CHECK_FALSE(disc.occluded(ray{{0, 0, 0}, {0, 1, 0}}, 0, 10));
+}
+
+TEST_CASE("solids are combined, and combinations again") {
+    const ray along{{0, 0, 0}, {1, 0, 0}};
+    const auto inside = [&](const std::string& words) {
+        return only_shape<raio::any_solid<number>>(words).spans(along);
+    };
+    CHECK(same(inside("union 3 sphere 1 0 0 1  sphere 2 0 0 1  sphere 6 0 0 1"), {{0, 3}, {5, 7}}));
+    CHECK(same(inside("intersection 3 sphere 1 0 0 1  sphere 2 0 0 1  box 1.5 -1 -1 9 1 1"), {{1.5, 2}}));
+    CHECK(
+        same(inside("difference 3 box 0 -1 -1 9 1 1  sphere 2 0 0 1  sphere 8 0 0 0.5"), {{0, 1}, {3, 7.5}, {8.5, 9}}));
+    CHECK(same(inside("difference 2 union 2 sphere 1 0 0 1 sphere 4 0 0 1 "
+                      "translate 1 0 0 intersection 2 sphere 0 0 0 0.5 polyhedron 1 1 0 0 0"),
+               {{0, 0.5}, {1, 2}, {3, 5}}));
+    CHECK(same(inside("difference 2 sphere 1 0 0 1 sphere 1 0 0 1"), {}));
+    CHECK(same(inside("union 2 torus 0 0 0 0 0 1 4 1 sphere 0 0 0 1"), {{-5, -3}, {-1, 1}, {3, 5}}));
 }
 
 TEST_CASE("statements after the objects may come in any order") {
@@ -195,7 +238,7 @@ TEST_CASE("any white space separates, and comments reach to the end of their lin
     const std::string text =
         "# a scene\n\r\n0 0 5\r\n0 0 0\t0 1 0 # up\n60\f 0 #no light\v 7\n1 solid 1 0 0 1 lambertian\n#\n"
         "1 0 0 sphere 0 0 0 2 # without a line's end";
-    const scene s = parse_scene(text, "test.txt", no_picture);
+    const scene s = parse_scene(text, "test.txt", no_files);
     CHECK(s.camera.vertical_field_of_view == 60);
     CHECK(s.lights.empty());
     REQUIRE(s.objects.size() == 1);

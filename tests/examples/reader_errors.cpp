@@ -17,8 +17,16 @@ struct bad_scene {
     std::string message;  ///< behind `scenes/test.txt:`
 };
 
+std::string repeated(std::string_view words, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += words;
+    return all;
+}
+
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
-const std::string shapes = "a shape: box, circle, cylinder, disc, open_cylinder, plane, polyhedron, sphere, triangle";
+const std::string shapes =
+    "a shape: box, circle, cylinder, difference, disc, intersection, mesh, open_cylinder, plane, polyhedron, sphere, torus, "
+    "triangle, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -78,6 +86,15 @@ const bad_scene bad_counts[] = {
     {"a count of 300 digits",
      {.objects = many_digits},
      "5: found '9999999999999999999999999999999999999999...', expected at most 0 objects in what is left of the file"},
+    {"a mesh that is moved",
+     {.objects = "1 0 0 translate 1 2 3 mesh square.obj 0 0 0 1"},
+     "5: found a mesh inside of another shape, expected one that stands alone, and has its own offset and scale"},
+    {"a mesh without a size",
+     {.objects = "1 0 0 mesh square.obj 0 0 0 0"},
+     "5: found '0', expected a number above 0 for the scale of a mesh"},
+    {"a mesh beyond all numbers",
+     {.objects = "1 0 0 mesh square.obj 0 0 0 6e49"},
+     "5: found a mesh that reaches beyond 1e50, expected a lesser scale or offset"},
     {"a polyhedron of too many planes",
      {.objects = "1 0 0 polyhedron 1000000 1 2 3 4"},
      "5: found '1000000', expected at most 4 planes of a polyhedron in what is left of the file"},
@@ -173,6 +190,15 @@ const bad_scene bad_objects[] = {
     {"a cylinder lower than the rounding of its base",
      {.objects = "1 0 0 cylinder 0 1e20 0 0 1 0 1 1"},
      "5: found a height that is lost in the rounding of the base, expected a higher cylinder"},
+    {"a torus without axis",
+     {.objects = "1 0 0 torus 0 0 0 0 0 0 1 1"},
+     "5: found 0 0 0, expected a direction for the axis of a torus"},
+    {"a torus without circle",
+     {.objects = "1 0 0 torus 0 0 0 0 1 0 0 1"},
+     "5: found '0', expected a number above 0 for the major radius of a torus"},
+    {"a torus without tube",
+     {.objects = "1 0 0 torus 0 0 0 0 1 0 1 0"},
+     "5: found '0', expected a number above 0 for the minor radius of a torus"},
     {"a box inside out",
      {.objects = "1 0 0 box 0 0 0 1 -1 1"},
      "5: found a minimum above the maximum of a box, expected the lesser coordinates first"},
@@ -185,6 +211,46 @@ const bad_scene bad_objects[] = {
     {"a polyhedron's plane without normal",
      {.objects = "1 0 0 polyhedron 1 0 0 0 1"},
      "5: found 0 0 0, expected a direction for the normal of a polyhedron's plane"},
+};
+
+const bad_scene bad_compositions[] = {
+    {"a scale that leaves a plane",
+     {.objects = "1 0 0 scale 1 0 1 sphere 0 0 0 1"},
+     "5: found '0', expected a number other than 0 for the factors of a scale"},
+    {"a rotation about nothing",
+     {.objects = "1 0 0 rotate 0 0 0 90 sphere 0 0 0 1"},
+     "5: found 0 0 0, expected a direction for the axis of a rotation"},
+    {"a rotation without angle",
+     {.objects = "1 0 0 rotate 0 0 1 sphere 0 0 0 1"},
+     "5: found 'sphere', expected a number for the angle of a rotation"},
+    {"scales that overflow",
+     {.objects = "1 0 0 scale 1e50 1e50 1e50 scale 1e50 1e50 1e50 sphere 0 0 0 1"},
+     "5: found transforms that lead out of the range of numbers, expected scales nearer to 1"},
+    {"scales that vanish",
+     {.objects = "1 0 0 " + repeated("scale 1e-50 1 1\n", 8) + "sphere 0 0 0 1"},
+     "12: found transforms that lead out of the range of numbers, expected scales nearer to 1"},
+    {"a transform of nothing", {.objects = "1 0 0 translate 0 0 0 0 0"}, "5: found '0', expected " + shapes},
+    {"a union of one",
+     {.objects = "1 0 0 union 1 sphere 0 0 0 1"},
+     "5: found less than two solids of a union, expected at least two"},
+    {"an intersection of none",
+     {.objects = "1 0 0 intersection 0"},
+     "5: found less than two solids of an intersection, expected at least two"},
+    {"a difference of more than there are",
+     {.objects = "1 0 0 difference 20 sphere 0 0 0 1"},
+     "5: found '20', expected at most 8 solids of a difference in what is left of the file"},
+    {"half of a union",
+     {.objects = "1 0 0 union 2\nsphere 0 0 0 1", .statements = "background 0 0 0"},
+     "7: found 'background', expected " + shapes},
+    {"a disc less a sphere",
+     {.objects = "1 0 0 difference 2\ndisc 0 0 0  0 1 0  1\nsphere 0 0 0 1"},
+     "6: found a shape without an inside, expected a solid to combine with others"},
+    {"a sphere less a disc that was moved",
+     {.objects = "1 0 0 difference 2\nsphere 0 0 0 1\nscale 2 2 2 disc 0 0 0  0 1 0  1"},
+     "7: found a shape without an inside, expected a solid to combine with others"},
+    {"nested without end",
+     {.objects = "1 0 0 " + repeated("union 2 ", 100'000)},
+     "5: found a shape that stands in more than 100 others, expected fewer"},
 };
 
 const bad_scene bad_statements[] = {
@@ -232,7 +298,7 @@ const bad_scene bad_bytes[] = {
 
 std::string error_of(const std::string& text) {
     try {
-        parse_scene(text, "scenes/test.txt", no_picture);
+        parse_scene(text, "scenes/test.txt", no_files);
     } catch (const scene_error& error) {
         return error.what();
     }
@@ -262,6 +328,7 @@ TEST_CASE("a wrong camera is named with its line") { check(bad_camera); }
 TEST_CASE("a wrong count is named with its line") { check(bad_counts); }
 TEST_CASE("a wrong light, pigment or material is named with its line") { check(bad_looks); }
 TEST_CASE("a wrong object is named with its line") { check(bad_objects); }
+TEST_CASE("a wrong transform or combination is named with its line") { check(bad_compositions); }
 TEST_CASE("a wrong statement is named with its line") { check(bad_statements); }
 TEST_CASE("bytes that are no text are shown as text") { check(bad_bytes); }
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <render/reader.hpp>
 
@@ -18,6 +19,10 @@ render::texture one_texel(const std::filesystem::path& path) {
     throw std::runtime_error("no such picture");
 }
 
+std::vector<raio::triangle<double>> one_triangle(const std::filesystem::path&) {
+    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+}
+
 void check(bool holds) {
     if (!holds) std::abort();
 }
@@ -27,7 +32,7 @@ void check(bool holds) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     try {
-        const render::scene scene = render::parse_scene(text, "scene.txt", one_texel);
+        const render::scene scene = render::parse_scene(text, "scene.txt", {one_texel, one_triangle});
         for (const render::object& object : scene.objects) {
             check(object.pigment < scene.pigments.size() && object.material < scene.materials.size());
         }

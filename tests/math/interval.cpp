@@ -50,6 +50,35 @@ TEST_CASE("spans: what meets becomes one, what is empty is not added") {
     CHECK(same(listed<3>({{1, 2}, {4, 3}, {5, 5}}), {{1, 2}, {5, 5}}));
 }
 
+TEST_CASE_TEMPLATE("spans: inserted anywhere, what meets becomes one", Spans, spans<double, 4>,
+                   spans<double, any_number>) {
+    Spans list;
+    const auto insert = [&](double min, double max, std::initializer_list<interval<double>> expected) {
+        list.insert({min, max});
+        CHECK(std::equal(list.begin(), list.end(), expected.begin(), expected.end()));
+    };
+    insert(5, 6, {{5, 6}});
+    insert(1, 2, {{1, 2}, {5, 6}});
+    insert(9, 8, {{1, 2}, {5, 6}});
+    insert(3, 4, {{1, 2}, {3, 4}, {5, 6}});
+    insert(8, 9, {{1, 2}, {3, 4}, {5, 6}, {8, 9}});
+    insert(2, 2.5, {{1, 2.5}, {3, 4}, {5, 6}, {8, 9}});
+    insert(3.5, 5.5, {{1, 2.5}, {3, 6}, {8, 9}});
+    insert(0, 7, {{0, 7}, {8, 9}});
+    insert(-2, -1, {{-2, -1}, {0, 7}, {8, 9}});
+    insert(-3, 10, {{-3, 10}});
+}
+
+TEST_CASE("spans: of any number") {
+    spans<double, any_number> many;
+    for (int i = 0; i < 1000; ++i) many.append({2.0 * i, 2.0 * i + 1});
+    CHECK(many.count == 1000);
+    CHECK(unite(many, spans<double, 1>(interval<double>{1, 2})).count == 999);
+    CHECK(intersect(many, many).count == 1000);
+    CHECK(subtract(spans<double, 1>(interval<double>{0, 2000}), many).count == 1000);
+    static_assert(room<2, any_number> == any_number && room<2, 3> == 5);
+}
+
 TEST_CASE("unite, intersect, subtract: named cases") {
     const spans<double, 2> a = listed<2>({{0, 2}, {4, 6}}), b = listed<2>({{1, 5}}), none;
     CHECK(same(unite(a, b), {{0, 6}}));

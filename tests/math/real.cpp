@@ -44,7 +44,7 @@ void ask_everything(const Shape& shape) {
     CHECK((rec.t == T(5) - rec.point.z));
     CHECK((abs(dot(rec.normal, rec.normal) - T(1)) < T(1e-10)));
     CHECK((spawn_ray(rec, rec.normal).origin.z >= rec.point.z));
-    if constexpr (solid<Shape>) CHECK((shape.spans(ray).min == rec.t));
+    if constexpr (solid<Shape>) CHECK((spans(shape.spans(ray)).begin()->min == rec.t));
     if constexpr (sampleable<Shape>) {
         CHECK((shape.area() > T(0)));
         CHECK(shape.bounds().contains(shape.sample({T(0.5), T(0.5)}).point));

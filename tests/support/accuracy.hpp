@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "support/probe.hpp"
 
 /// \file
@@ -7,31 +9,34 @@
 
 namespace raio::test {
 
-/// Both crossings of a solid, or the one of a flat shape and none, as `crossings<W>` finds them.
+/// The crossings as `crossings<W>` finds them: both of a convex solid, the one of a flat shape, or a list. A list that
+/// is not certain holds nothing that is.
 template <class W, class Shape>
-std::array<crossing<W>, 2> both_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
+std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
     const auto found = shape.template crossings<W>(ray);
     if constexpr (requires { found.near; }) {
         return {found.near, found.far};
+    } else if constexpr (requires { found.count; }) {
+        std::vector<crossing<W>> listed(found.begin(), found.end());
+        for (crossing<W>& c : listed) c.certain = c.certain && found.certain;
+        if (listed.empty() && !found.certain) listed.push_back({false, false, W(0), bound_t<W>(0), false});
+        return listed;
     } else {
-        crossing<W> none = found;
-        none.exists = false;
-        return {found, none};
+        return {found};
     }
 }
 
 /// The crossings in 50 digits. Where a ray meets the very edge of a closed shape, 50 digits decide no better than any
 /// others: it is crossed, then, if it is as soon as it is larger by 1e-40.
 template <class Shape>
-std::array<crossing<oracle>, 2> exact_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
+std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
     const auto exact_shape = converted<oracle>(shape);
     const auto exact_ray = converted<oracle>(ray);
-    std::array crossings = both_crossings<oracle>(exact_shape, exact_ray);
+    std::vector crossings = all_crossings<oracle>(exact_shape, exact_ray);
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     if constexpr (requires { about::grown(exact_shape); }) {
-        if (crossings[0].exists && crossings[1].exists) return crossings;
-        const std::array larger = both_crossings<oracle>(about::grown(exact_shape), exact_ray);
-        for (std::size_t i = 0; i < 2; ++i) {
+        const std::vector larger = all_crossings<oracle>(about::grown(exact_shape), exact_ray);
+        for (std::size_t i = 0; i < crossings.size(); ++i) {
             if (!crossings[i].exists) crossings[i] = larger[i];
         }
     }
@@ -43,6 +48,17 @@ bool in_window(const probe<Shape>& p, number_t<Shape> t) {
     return p.t_min <= t && t <= p.t_max && std::isfinite(t);
 }
 
+/// The error that double_double states of the crossing that is nearest to t.
+template <class Shape>
+oracle stated_error(const probe<Shape>& p, number_t<Shape> t) {
+    oracle least = infinity<oracle>, error = 0;
+    for (const crossing<double_double>& c : all_crossings<double_double>(p.shape, p.ray)) {
+        const oracle apart = abs(exactly(c.t) - oracle(t));
+        if (c.exists && apart < least) least = apart, error = exactly(c.error);
+    }
+    return error;
+}
+
 /// What is wrong with the answer to one probe: `hit` has to find the first crossing whose t, correctly rounded, lies in
 /// the window. The error of a double's t may be larger than half an ulp by as much as double_double says.
 template <class Shape>
@@ -50,18 +66,16 @@ std::string inexactness(const probe<Shape>& p, double& worst_ulp) {
     using T = number_t<Shape>;
     hit_record<T> rec;
     const bool hit = p.hit(rec);
-    const std::array crossings = exact_crossings(p.shape, p.ray);
+    const std::vector crossings = exact_crossings(p.shape, p.ray);
     std::size_t i = 0;
-    while (i < 2 && !(crossings[i].exists && in_window(p, rounded<T>(crossings[i].t)))) ++i;
-    if (hit && i == 2) return "false hit, " + literal(rec);
-    if (!hit && i < 2) return "false miss, t = " + literal(rounded<T>(crossings[i].t));
+    while (i < crossings.size() && !(crossings[i].exists && in_window(p, rounded<T>(crossings[i].t)))) ++i;
+    if (hit && i == crossings.size()) return "false hit, " + literal(rec);
+    if (!hit && i < crossings.size()) return "false miss, t = " + literal(rounded<T>(crossings[i].t));
     if (!hit) return "";
 
     const oracle exact_t = crossings[i].t, error_of_t = abs(oracle(rec.t) - exact_t);
     const T best = rounded<T>(exact_t), ulp = std::nextafter(std::abs(best), infinity<T>) - std::abs(best);
-    const oracle allowed = rec.t == best || std::same_as<T, float>
-                               ? oracle(0)
-                               : exactly(both_crossings<double_double>(p.shape, p.ray)[i].error);
+    const oracle allowed = rec.t == best || std::same_as<T, float> ? oracle(0) : stated_error(p, rec.t);
     if (error_of_t > allowed + abs(oracle(best) - exact_t)) return "t = " + literal(rec.t) + " for " + literal(best);
     worst_ulp = std::max(worst_ulp, rounded<double>((error_of_t - allowed) / ulp));
     if (rec.front_face != crossings[i].entering) return "wrong face, " + literal(rec);
@@ -79,7 +93,7 @@ std::string inexactness(const probe<Shape>& p, double& worst_ulp) {
 template <class Shape>
 bool undecided(const probe<Shape>& p) {
     using T = number_t<Shape>;
-    for (const crossing<double_double>& c : both_crossings<double_double>(p.shape, p.ray)) {
+    for (const crossing<double_double>& c : all_crossings<double_double>(p.shape, p.ray)) {
         const oracle t = exactly(c.t), error = exactly(c.error);
         const T low = rounded<T>(t - error), high = rounded<T>(t + error);
         const auto between = [&](T end) { return low <= end && end <= high; };
@@ -114,9 +128,11 @@ void check_accuracy(int rays, double excusable = 1e-3) {
 /// by no more than the error that it states.
 template <class W, class Shape>
 std::string wrong_bound(const probe<Shape>& p) {
-    const std::array exact = exact_crossings(p.shape, p.ray);
-    const std::array found = both_crossings<W>(p.shape, p.ray);
-    for (std::size_t i = 0; i < 2; ++i) {
+    const std::vector exact = exact_crossings(p.shape, p.ray);
+    const std::vector found = all_crossings<W>(p.shape, p.ray);
+    const bool certain = std::all_of(found.begin(), found.end(), [](const crossing<W>& c) { return c.certain; });
+    if (found.size() != exact.size()) return certain ? "certain of a wrong number of crossings" : "";
+    for (std::size_t i = 0; i < found.size(); ++i) {
         if (!found[i].certain) continue;
         if (found[i].exists != exact[i].exists)
             return found[i].exists ? "certain of a false hit" : "certain of a false miss";
@@ -147,7 +163,7 @@ void check_oracle() {
         const exact_shape shape = converted<oracle>(p.shape);
         const vec3<oracle> inside(subject<Shape>::inner_point(p.shape, random)), direction(random.direction());
         bool before = false, behind = false;
-        for (const crossing<oracle>& c : both_crossings<oracle>(shape, {inside, direction})) {
+        for (const crossing<oracle>& c : all_crossings<oracle>(shape, {inside, direction})) {
             if (!c.exists) continue;
             before = before || c.t <= 0;
             behind = behind || c.t >= 0;

@@ -40,6 +40,10 @@ std::string literal(const ray<T>& r) {
     return braced(literal(r.origin), literal(r.direction));
 }
 template <class T>
+std::string literal(const transform<T>& m) {
+    return braced(literal(m.x), literal(m.y), literal(m.z), literal(m.origin));
+}
+template <class T>
 std::string literal(const std::vector<half_space<T>>& planes) {
     std::string text;
     for (const half_space<T>& plane : planes) {

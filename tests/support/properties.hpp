@@ -107,24 +107,27 @@ std::string direction_not_scaled(const probe<Shape>& p) {
     return "";
 }
 
-/// A solid's spans begin and end at its hits.
+/// A solid's spans begin and end at its hits, and between them there is none.
 template <solid Shape>
 std::string spans_unlike_hits(const probe<Shape>& p) {
     using T = number_t<Shape>;
-    const auto span = p.shape.spans(p.ray);
+    const spans inside = p.shape.spans(p.ray);
     hit_record<T> rec;
-    const bool near = p.shape.hit(p.ray, -infinity<T>, infinity<T>, rec);
-    if (span.empty()) return near ? "no span but a hit, " + literal(rec) : "";
-    if (!(span.min <= span.max)) return "span not sorted";
     const auto is_hit = [&](T t) { return p.shape.occluded(p.ray, t, t); };
-    if (std::isfinite(span.min) && (!near || rec.t != span.min || !rec.front_face))
-        return "no hit where the span begins";
-    if (std::isfinite(span.max) && !is_hit(span.max)) return "no hit where the span ends";
-    const T between = span.min + (span.max - span.min) / T(2);
-    if (span.min < between && between < span.max && is_hit(between)) return "a hit inside the span";
-    if (std::isfinite(span.max) && p.shape.occluded(p.ray, std::nextafter(span.max, infinity<T>), infinity<T>)) {
-        return "a hit behind the span";
+    T from = -infinity<T>;
+    for (const interval<T>& span : inside) {
+        if (!(from <= span.min && span.min <= span.max)) return "spans not sorted";
+        if (std::isfinite(span.min)) {
+            if (!p.shape.hit(p.ray, from, infinity<T>, rec) || rec.t != span.min || !rec.front_face)
+                return "no hit where the span begins";
+        }
+        if (std::isfinite(span.max) && !is_hit(span.max)) return "no hit where the span ends";
+        const T between = span.min + (span.max - span.min) / T(2);
+        if (is_convex<Shape> && span.min < between && between < span.max && is_hit(between))
+            return "a hit inside the span";
+        from = std::nextafter(span.max, infinity<T>);
     }
+    if (p.shape.hit(p.ray, from, infinity<T>, rec)) return "a hit behind the spans, " + literal(rec);
     return "";
 }
 
@@ -190,8 +193,9 @@ bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec)
 }
 
 /// A ray that was spawned on the surface never hits it again where it left: outwards it misses a convex solid, inwards
-/// it meets the far side once, and from a flat shape it misses in any direction. (At an edge "inwards" of one face is
-/// outwards of the other, and anything may come of it.)
+/// it meets the far side once, and from a flat shape it misses in any direction. A solid that is not convex may be met
+/// again, outwards from the outside and inwards from within. (At an edge "inwards" of one face is outwards of the
+/// other, and anything may come of it.)
 template <class Shape>
 std::string spawned_hit(const probe<Shape>& p, random_numbers& random) {
     using T = number_t<Shape>;
@@ -205,17 +209,21 @@ std::string spawned_hit(const probe<Shape>& p, random_numbers& random) {
         const ray<T> spawned = spawn_ray(rec, direction);
         const bool hit = p.shape.hit(spawned, T(0), infinity<T>, again);
         std::string wrong;
-        if (hit && (outwards || is_flat<Shape>)) wrong = "hits what it left";
+        if (hit && (is_convex<Shape> ? outwards || is_flat<Shape> : outwards != again.front_face)) {
+            wrong = "hits what it left";
+        }
         if (!outwards && !is_flat<Shape>) {
             if (hit && again.front_face) wrong = "hits the outside from within";
-            if (hit && p.shape.occluded(spawned, std::nextafter(again.t, infinity<T>), infinity<T>)) {
+            if (is_convex<Shape> && hit &&
+                p.shape.occluded(spawned, std::nextafter(again.t, infinity<T>), infinity<T>)) {
                 wrong = "crosses twice";
             }
             if constexpr (solid<Shape>) {
-                if (!hit && p.shape.spans(spawned).max < infinity<T>) wrong = "misses from within";
+                const spans inside = p.shape.spans(spawned);
+                if (!hit && !inside.contains(infinity<T>)) wrong = "misses from within";
             }
-            if (!wrong.empty() && !away_from_edges(p.shape, rec)) wrong.clear();
         }
+        if (!wrong.empty() && !(is_convex<Shape> && outwards) && !away_from_edges(p.shape, rec)) wrong.clear();
         if (!wrong.empty()) return wrong + ", " + literal(spawned) + ", " + literal(rec);
     }
     return "";

@@ -31,14 +31,22 @@ inline constexpr bool is_flat = !solid<Shape>;
 template <class T>
 inline constexpr bool is_flat<open_cylinder<T>> = false;
 
+/// Does a line that has left the shape never meet it again?
+template <class Shape>
+inline constexpr bool is_convex = true;
+template <class T>
+inline constexpr bool is_convex<torus<T>> = false;
+
 template <class T>
 vec3<double> to_double(const vec3<T>& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
 // Calls `visit` with every number that something is made of, in order.
-template <class T, class Visit>
-requires(std::is_arithmetic_v<T>) void for_each_number(T& x, Visit visit) { visit(x); }
+template <real T, class Visit>
+void for_each_number(T& x, Visit visit) {
+    visit(x);
+}
 template <class T, class Visit>
 void for_each_number(vec3<T>& v, Visit visit) {
     visit(v.x), visit(v.y), visit(v.z);
@@ -50,6 +58,10 @@ void for_each_number(half_space<T>& h, Visit visit) {
 template <class T, class Visit>
 void for_each_number(ray<T>& r, Visit visit) {
     for_each_number(r.origin, visit), for_each_number(r.direction, visit);
+}
+template <class T, class Visit>
+void for_each_number(transform<T>& m, Visit visit) {
+    for (vec3<T>* v : {&m.x, &m.y, &m.z, &m.origin}) for_each_number(*v, visit);
 }
 template <class Item, class Visit>
 void for_each_number(std::vector<Item>& items, Visit visit) {
@@ -70,6 +82,10 @@ vec3<U> converted(const vec3<T>& v) {
 template <class U, class T>
 ray<U> converted(const ray<T>& r) {
     return {vec3<U>(r.origin), vec3<U>(r.direction)};
+}
+template <class U, class T>
+transform<U> converted(const transform<T>& m) {
+    return {vec3<U>(m.x), vec3<U>(m.y), vec3<U>(m.z), vec3<U>(m.origin)};
 }
 template <class U, class T>
 std::vector<half_space<U>> converted(const std::vector<half_space<T>>& planes) {

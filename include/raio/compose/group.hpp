@@ -26,6 +26,25 @@ requires(!primitive<Member>) struct primitive_of<Member> {
 
 }  // namespace detail
 
+namespace detail {
+
+/// How many intervals a ray can be inside a member.
+template <class Member>
+constexpr std::size_t room_of_member() {
+    using P = typename primitive_of<Member>::type;
+    using T = number_t<P>;
+    constexpr std::size_t one = room_in<decltype(spans_of(std::declval<const P&>(), std::declval<const ray<T>&>()))>;
+    if constexpr (primitive<Member>) {
+        return one;
+    } else if constexpr (requires { std::tuple_size<Member>::value; }) {
+        return one == any_number ? any_number : one * std::tuple_size<Member>::value;
+    } else {
+        return any_number;
+    }
+}
+
+}  // namespace detail
+
 /// Several primitives of several types, tested one after the other. The nearest is hit, and of equally near ones the
 /// first.
 ///
@@ -38,17 +57,24 @@ struct group {
     using number = number_t<typename detail::primitive_of<First>::type>;
     using T = number;
 
+    static constexpr bool all_solid =
+        solid<typename detail::primitive_of<First>::type> && (solid<typename detail::primitive_of<Rest>::type> && ...);
+
     std::tuple<First, Rest...> members;
 
     RAIO_FN constexpr group() = default;
     RAIO_FN constexpr explicit group(First first, Rest... rest) : members(std::move(first), std::move(rest)...) {}
 
     RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return hit<T, T>(ray, t_min, t_max, rec);
+    }
+    template <real R, real N>
+    RAIO_FN constexpr mask_t<T> hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
         mask_t<T> found = !(T(0) == T(0));
         index_t<T> index{};
         for_each([&](const auto& primitive) {
-            hit_record<T> candidate;
-            const mask_t<T> met = primitive.hit(ray, t_min, select(found, rec.t, t_max), candidate);
+            hit_record<T, N> candidate;
+            const mask_t<T> met = detail::hit(primitive, ray, t_min, select(found, rec.t, t_max), candidate);
             const mask_t<T> nearer = met && (!found || candidate.t < rec.t);
             candidate.index = index;
             if (any(nearer)) assign(nearer, rec, candidate);
@@ -60,12 +86,35 @@ struct group {
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return occluded<T>(ray, t_min, t_max);
+    }
+    template <real R>
+    RAIO_FN constexpr mask_t<T> occluded(const ray<R>& ray, T t_min, T t_max) const {
         mask_t<T> found = !(T(0) == T(0));
         for_each([&](const auto& primitive) {
-            found = found || primitive.occluded(ray, t_min, t_max);
+            found = found || detail::occluded(primitive, ray, t_min, t_max);
             return !all(found);
         });
         return found;
+    }
+
+    /// Where the ray is inside any of the members, if all of them are solids.
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const requires all_solid { return spans<T>(ray); }
+    template <real R>
+    RAIO_FN constexpr auto spans(const ray<R>& ray) const requires all_solid {
+        constexpr std::size_t rooms[] = {detail::room_of_member<First>(), detail::room_of_member<Rest>()...};
+        constexpr std::size_t all = [&] {
+            std::size_t sum = 0;
+            for (const std::size_t each : rooms)
+                sum = each == any_number || sum == any_number ? any_number : sum + each;
+            return sum;
+        }();
+        raio::spans<T, all> inside;
+        for_each([&](const auto& primitive) {
+            for (const interval<T>& i : raio::spans(detail::spans_of(primitive, ray))) inside.insert(i);
+            return true;
+        });
+        return inside;
     }
 
     RAIO_FN constexpr aabb<T> bounds() const requires(bounded<typename detail::primitive_of<First>::type> &&

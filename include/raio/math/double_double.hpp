@@ -130,12 +130,7 @@ private:
 };
 
 template <>
-struct real_traits<double_double> {
-    using scalar = double_double;
-    using mask = bool;
-    using index = std::uint32_t;
-    using quick = double_double;
-    using exact = double_double;
+struct real_traits<double_double> : detail::one_number<double_double> {
     using bound = strict_double;
 };
 

@@ -2,13 +2,15 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include <raio/math/real.hpp>
 
 namespace raio {
 
-/// The parameters `min <= t <= max` of a ray. Empty where `min > max`, as it is when it is new.
-template <real T>
+/// The parameters `min <= t <= max` of a ray. Empty where `min > max`, as it is when it is new. T is a number, or
+/// whatever is compared by one.
+template <class T>
 struct interval {
     T min = infinity<T>;
     T max = -infinity<T>;
@@ -19,12 +21,20 @@ struct interval {
     RAIO_FN friend constexpr bool operator==(const interval&, const interval&) = default;
 };
 
+/// The room of spans that grow as they must.
+inline constexpr std::size_t any_number = static_cast<std::size_t>(-1);
+
+/// The room for two lists together.
+template <std::size_t N, std::size_t M>
+inline constexpr std::size_t room = N == any_number || M == any_number ? any_number : N + M;
+
 /// Where a ray is inside a solid: at most N intervals, in order along the ray, none of them empty, no two with a point
 /// in common. The room is part of the type, so that a solid's spans need no memory of their own, on a graphics card
-/// neither.
-template <real T, std::size_t N>
+/// neither. Only what is not known before the program runs has room for any_number.
+template <class T, std::size_t N>
 struct spans {
-    std::array<interval<T>, N> intervals{};
+    std::conditional_t<N == any_number, std::vector<interval<T>>, std::array<interval<T>, N == any_number ? 0 : N>>
+        intervals{};
     std::size_t count = 0;
 
     RAIO_FN constexpr spans() = default;
@@ -45,19 +55,50 @@ struct spans {
         if (next.empty()) return;
         if (count > 0 && next.min <= intervals[count - 1].max) {
             intervals[count - 1].max = max(intervals[count - 1].max, next.max);
+            return;
+        }
+        if constexpr (N == any_number) {
+            intervals.push_back(next);
+            ++count;
         } else {
             intervals[count++] = next;
         }
     }
+
+    /// Adds an interval that may start anywhere; it becomes one with all that it meets.
+    RAIO_FN constexpr void insert(interval<T> next) {
+        if (next.empty()) return;
+        std::size_t first = 0;
+        while (first < count && intervals[first].max < next.min) ++first;
+        std::size_t last = first;
+        for (; last < count && intervals[last].min <= next.max; ++last) {
+            next = {min(next.min, intervals[last].min), max(next.max, intervals[last].max)};
+        }
+        if (first == last) {
+            if constexpr (N == any_number) intervals.push_back(next);
+            for (std::size_t i = count++; i > first; --i) intervals[i] = intervals[i - 1];
+        } else {
+            for (std::size_t i = last; i < count; ++i) intervals[i - last + first + 1] = intervals[i];
+            count -= last - first - 1;
+            if constexpr (N == any_number) intervals.resize(count);
+        }
+        intervals[first] = next;
+    }
 };
 
-template <real T>
+template <class T>
 spans(interval<T>) -> spans<T, 1>;
 
+/// The room of an interval is one, that of spans is their own.
+template <class Inside>
+inline constexpr std::size_t room_in = 1;
+template <class T, std::size_t N>
+inline constexpr std::size_t room_in<spans<T, N>> = N;
+
 /// Inside either.
-template <real T, std::size_t N, std::size_t M>
-RAIO_FN constexpr spans<T, N + M> unite(const spans<T, N>& a, const spans<T, M>& b) {
-    spans<T, N + M> both;
+template <class T, std::size_t N, std::size_t M>
+RAIO_FN constexpr spans<T, room<N, M>> unite(const spans<T, N>& a, const spans<T, M>& b) {
+    spans<T, room<N, M>> both;
     for (std::size_t i = 0, j = 0; i < a.count || j < b.count;) {
         const bool from_a = j == b.count || (i < a.count && a.intervals[i].min <= b.intervals[j].min);
         both.append(from_a ? a.intervals[i++] : b.intervals[j++]);
@@ -66,9 +107,9 @@ RAIO_FN constexpr spans<T, N + M> unite(const spans<T, N>& a, const spans<T, M>&
 }
 
 /// Inside both. Of two lists that are walked together, the interval that ends first has met all it can.
-template <real T, std::size_t N, std::size_t M>
-RAIO_FN constexpr spans<T, N + M> intersect(const spans<T, N>& a, const spans<T, M>& b) {
-    spans<T, N + M> both;
+template <class T, std::size_t N, std::size_t M>
+RAIO_FN constexpr spans<T, room<N, M>> intersect(const spans<T, N>& a, const spans<T, M>& b) {
+    spans<T, room<N, M>> both;
     for (std::size_t i = 0, j = 0; i < a.count && j < b.count;) {
         const interval<T>&p = a.intervals[i], &q = b.intervals[j];
         both.append({max(p.min, q.min), min(p.max, q.max)});
@@ -79,9 +120,9 @@ RAIO_FN constexpr spans<T, N + M> intersect(const spans<T, N>& a, const spans<T,
 
 /// Inside `a` and not in the interior of `b`: what is left keeps the ends where `b` was cut off. An interval that is
 /// cut down to a single point is gone.
-template <real T, std::size_t N, std::size_t M>
-RAIO_FN constexpr spans<T, N + M> subtract(const spans<T, N>& a, const spans<T, M>& b) {
-    spans<T, N + M> rest;
+template <class T, std::size_t N, std::size_t M>
+RAIO_FN constexpr spans<T, room<N, M>> subtract(const spans<T, N>& a, const spans<T, M>& b) {
+    spans<T, room<N, M>> rest;
     std::size_t j = 0;
     for (interval<T> left : a) {
         for (; j < b.count && b.intervals[j].max <= left.min; ++j) {

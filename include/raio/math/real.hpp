@@ -21,9 +21,11 @@ namespace raio {
 class strict_double;
 class double_double;
 
-/// What a number type is made of. The primary template fits every type that behaves like one number.
+namespace detail {
+
+/// A type that behaves like one number.
 template <class T>
-struct real_traits {
+struct one_number {
     using scalar = T;             ///< the number in one lane
     using mask = bool;            ///< what a comparison answers
     using index = std::uint32_t;  ///< what counts the members of an aggregate
@@ -32,26 +34,24 @@ struct real_traits {
     using bound = T;              ///< what is good enough to bound the errors of T with
 };
 
+}  // namespace detail
+
+/// What a number type is made of.
+template <class T>
+struct real_traits : detail::one_number<T> {};
+
 /// A product of two floats is exact in double: formulas are computed there and rounded to float once.
 template <>
-struct real_traits<float> {
-    using scalar = float;
-    using mask = bool;
-    using index = std::uint32_t;
+struct real_traits<float> : detail::one_number<float> {
     using quick = strict_double;
     using exact = double_double;
-    using bound = float;
 };
 
 /// Nothing in the hardware is wider than double: formulas are computed with two of them.
 template <>
-struct real_traits<double> {
-    using scalar = double;
-    using mask = bool;
-    using index = std::uint32_t;
+struct real_traits<double> : detail::one_number<double> {
     using quick = strict_double;
     using exact = double_double;
-    using bound = double;
 };
 
 template <class T>
@@ -159,13 +159,22 @@ concept real = requires(const T a, const T b, const mask_t<T> m) {
     T(atan2(a, b));
 };
 
+// A pack brings its own, for which there are instructions.
 template <real T>
 RAIO_FN constexpr T min(T a, T b) {
-    return select(b < a, b, a);
+    if constexpr (requires { T::min(a, b); }) {
+        return T::min(a, b);
+    } else {
+        return select(b < a, b, a);
+    }
 }
 template <real T>
 RAIO_FN constexpr T max(T a, T b) {
-    return select(a < b, b, a);
+    if constexpr (requires { T::max(a, b); }) {
+        return T::max(a, b);
+    } else {
+        return select(a < b, b, a);
+    }
 }
 
 template <class T>
@@ -181,6 +190,10 @@ inline constexpr double unit_roundoff = [] {
     for (int digit = 0; digit < std::numeric_limits<scalar_t<T>>::digits; ++digit) u /= 2.0;
     return u;
 }();
+
+/// The first of the precisions of T that has more digits than T; T itself where there is none.
+template <class T>
+using wider_t = std::conditional_t<(unit_roundoff<quick_t<T>> < unit_roundoff<T>), quick_t<T>, exact_t<T>>;
 
 /// The smallest number with all its digits: what is below has lost some. The same for every number type of the same
 /// hardware.

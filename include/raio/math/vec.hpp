@@ -55,20 +55,31 @@ RAIO_FN constexpr T length(const vec3<T>& a) {
     return sqrt(dot(a, a));
 }
 
-/// The vector itself, or, where its square would be out of range, the same times a power of two.
-template <real T>
+/// The vector itself, or, where its square would be out of range, the same times a power of two. What was made of
+/// numbers of a much narrower type, as of floats in double, cannot be: nothing up to their eighth power is.
+template <class From, real T>
 RAIO_FN constexpr vec3<T> scaled_into_range(const vec3<T>& a) {
-    constexpr bool single = std::same_as<scalar_t<T>, float>;
-    constexpr double large = single ? 0x1p50 : 0x1p500, shrink = single ? 0x1p-100 : 0x1p-600;
-    T size = norm1(a), grown = select(size < T(1 / large), T(1 / shrink), T(1));
-    return a * select(size > T(large), T(shrink), grown);
+    using limits = std::numeric_limits<scalar_t<T>>;
+    if constexpr (limits::max_exponent / 8 >= std::numeric_limits<scalar_t<From>>::max_exponent) {
+        return a;
+    } else {
+        constexpr bool single = std::same_as<scalar_t<T>, float>;
+        constexpr double large = single ? 0x1p50 : 0x1p500, shrink = single ? 0x1p-100 : 0x1p-600;
+        T size = norm1(a), grown = select(size < T(1 / large), T(1 / shrink), T(1));
+        return a * select(size > T(large), T(shrink), grown);
+    }
 }
 
-/// The unit vector in the direction of `a`, which may have any length but zero.
+/// The unit vector in the direction of `a`, which was made of numbers From and may have any length but zero.
+template <class From, real T>
+RAIO_FN constexpr vec3<T> normalize_from(const vec3<T>& a) {
+    vec3<T> b = scaled_into_range<From>(a);
+    return b * (T(1) / length(b));
+}
+
 template <real T>
 RAIO_FN constexpr vec3<T> normalize(const vec3<T>& a) {
-    vec3<T> b = scaled_into_range(a);
-    return b * (T(1) / length(b));
+    return normalize_from<T>(a);
 }
 
 template <class Mask, class T>

@@ -35,7 +35,7 @@ struct box {
     RAIO_FN constexpr T area() const { return T(2) * aabb<T>{min, max}.half_area(); }
 
     /// A face is chosen by its share of the area, and a point on it with what is left of u.x.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::same_as<mask_t<T>, bool>) {
         vec3<T> size = max - min, share(size.y * size.z, size.z * size.x, size.x * size.y);
         T left = u.x * T(2) * (share.x + share.y + share.z);
         glm::length_t axis = 0;
@@ -51,16 +51,19 @@ struct box {
         return s;
     }
 
-    template <class W>
-    RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
         // Where the line enters and leaves the slab across one axis.
-        const auto slab = [](T origin, T direction, T low, T high) {
+        const auto slab = [](R origin, R direction, T low, T high) {
             W o(origin), over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
             W to_low = (W(low) - o) * over_d, to_high = (W(high) - o) * over_d;
-            const mask_t<W> parallel = direction == T(0), within = every(low <= origin, origin <= high);
-            return vec2<W>(select(parallel, select(within, -inf, inf), raio::min(to_low, to_high)),
-                           select(parallel, select(within, inf, -inf), raio::max(to_low, to_high)));
+            vec2<W> across(raio::min(to_low, to_high), raio::max(to_low, to_high));
+            const mask_t<W> parallel = direction == R(0);
+            if (none(parallel)) return across;
+            const mask_t<W> within = every(R(low) <= origin, origin <= R(high));
+            return vec2<W>(select(parallel, select(within, -inf, inf), across.x),
+                           select(parallel, select(within, inf, -inf), across.y));
         };
         vec2<W> x = slab(ray.origin.x, ray.direction.x, min.x, max.x);
         vec2<W> y = slab(ray.origin.y, ray.direction.y, min.y, max.y);
@@ -69,20 +72,27 @@ struct box {
 
         // Each t is off by less than 4 u |t|, and so are the largest and the smallest of three.
         const auto error_of = [](const W& t) {
-            return select(is_finite(t), E(4 * unit_roundoff<W>) * abs(E(t)), E(0));
+            return select(is_finite(t), with_underflow<W>(E(4 * unit_roundoff<W>) * abs(E(t))), E(0));
         };
         E near_error = error_of(near), far_error = error_of(far);
         W inside = far - near;
         const mask_t<W> meets = inside >= -tie<W>(near_error + far_error);
-        const mask_t<W> certain = abs(E(inside)) > near_error + far_error;
+        mask_t<W> certain = abs(E(inside)) > near_error + far_error;
+        if constexpr (std::same_as<scalar_t<W>, float>) {  // whose quotient of 1 may have lost digits, or be infinite
+            const auto sound = [](const W& d) {
+                return some(d == W(0), every(abs(d) >= W(4 * least_normal<W>), abs(d) <= W(0.25 / least_normal<W>)));
+            };
+            vec3<W> d(ray.direction);
+            certain = every(certain, sound(d.x), sound(d.y), sound(d.z));
+        }
         if (none(meets)) return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
 
         vec3<T> size = max - min;
-        const T none(0), thinnest = raio::min(raio::min(size.x, size.y), size.z);
-        const mask_t<T> spread = some(every(size.x > none, size.y > none), every(size.y > none, size.z > none),
-                                      every(size.z > none, size.x > none));
-        const mask_t<W> exists =
-            every(meets, spread, thinnest >= none, is_finite(size), is_finite(ray.origin), is_finite(ray.direction));
+        // Of the three sizes the least may be zero, the middle one may not.
+        const T less = raio::min(size.x, size.y), more = raio::max(size.x, size.y), most = infinity<T>;
+        const T thinnest = raio::min(less, size.z), middle = raio::max(less, raio::min(more, size.z));
+        const mask_t<W> exists = every(meets, thinnest >= T(0), middle > T(0), size.x < most, size.y < most,
+                                       size.z < most, is_finite(ray.origin), is_finite(ray.direction));
         const auto axis_of = [](const W& t, const W& t_x, const W& t_y) {
             return select(t_x == t, index_t<W>(0), select(t_y == t, index_t<W>(1), index_t<W>(2)));
         };
@@ -90,18 +100,18 @@ struct box {
                 {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y)}};
     }
 
-    template <class W>
-    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         const mask_t<T> x = c.face == index_t<T>(0), y = c.face == index_t<T>(1), z = c.face == index_t<T>(2);
         const T zero(0), one(1);
         record_point(ray, c, rec);
         // One coordinate is known without any error: that of the face, which is the low one where the line enters
         // forwards.
-        const auto onto = [&](mask_t<T> on, T d, T low, T high, T& p, T& error, T& normal) {
-            const mask_t<T> forward = d > zero, at_low = c.entering == forward;
+        const auto onto = [&](mask_t<T> on, const R& d, T low, T high, T& p, T& error, N& normal) {
+            const mask_t<T> forward = d > R(0), at_low = c.entering == forward;
             p = select(on, select(at_low, low, high), p);
             error = select(on, zero, error);
-            normal = select(on, copysign(one, -d), zero);
+            normal = select(on, select(forward, N(-1), N(1)), N(0));
         };
         onto(x, ray.direction.x, min.x, max.x, rec.point.x, rec.error.x, rec.normal.x);
         onto(y, ray.direction.y, min.y, max.y, rec.point.y, rec.error.y, rec.normal.y);

@@ -45,7 +45,7 @@ struct convex_polyhedron {
 
     /// The box around all edges; the cost grows with the cube of the number of planes. A polyhedron without any vertex,
     /// which has no end, is bounded by everything.
-    RAIO_FN constexpr aabb<T> bounds() const {
+    RAIO_FN constexpr aabb<T> bounds() const requires(std::same_as<mask_t<T>, bool>) {
         aabb<T> box;
         bool has_vertex = false;
         for (std::size_t i = 0; i < std::size(planes); ++i) {
@@ -63,7 +63,7 @@ struct convex_polyhedron {
     }
 
     /// Infinite for a polyhedron without end.
-    RAIO_FN constexpr T area() const {
+    RAIO_FN constexpr T area() const requires(std::same_as<mask_t<T>, bool>) {
         exact_t<T> total(0);
         for (std::size_t i = 0; i < std::size(planes); ++i) {
             if (!repeats_an_earlier_plane(i)) total += face_area(i);
@@ -71,8 +71,8 @@ struct convex_polyhedron {
         return T(total);
     }
 
-    template <class W>
-    RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         vec3<W> origin(ray.origin), direction(ray.direction);
         chord<W> c = everywhere<W>();
         index_t<W> face{};
@@ -81,22 +81,38 @@ struct convex_polyhedron {
             if (all(c.near.certain && !c.near.exists)) break;
             face = face + index_t<W>(1);
         }
-        keep_if_reachable(ray, c.near);
-        keep_if_reachable(ray, c.far);
+        keep_if_reachable<T>(ray, c.near);
+        keep_if_reachable<T>(ray, c.far);
         return c;
     }
 
-    template <class W>
-    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        vec3<T> outward(normalize(vec3<quick_t<T>>(planes[c.face].normal)));
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal_of(c.face))));
         record_point(ray, c, rec);
-        rec.normal = outward * select(c.entering, T(1), T(-1));
-        vec3<T> local = frame_about(outward).to_local(rec.point);
+        rec.normal = outward * select(c.entering, N(1), N(-1));
+        vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point);
         rec.uv = {fraction(local.x), fraction(local.y)};
     }
 
 private:
     using exact = exact_t<T>;
+
+    /// Of the lanes of a pack each may have met another face.
+    template <class Index>
+    RAIO_FN constexpr vec3<T> normal_of(const Index& face) const {
+        if constexpr (requires { planes[face]; }) {
+            return planes[face].normal;
+        } else {
+            vec3<T> normal(T(0));
+            Index index(0);
+            for (const half_space<T>& plane : planes) {
+                normal = select(face == index, plane.normal, normal);
+                index = index + Index(1);
+            }
+            return normal;
+        }
+    }
 
     /// The line in which two planes meet, and the part of it that belongs to the polyhedron.
     struct edge_line {
@@ -195,7 +211,7 @@ private:
         c.exists = every(some(!parallel, height <= tie<W>(height_error)), is_finite(height));
         c.certain = every(c.certain, some(!parallel, abs(height) > height_error));
         chord<W> inside{c, c};
-        W ahead = select(c.entering, infinity<W>, -infinity<W>);
+        W inf = infinity<W>, ahead = select(c.entering, inf, -inf);
         inside.near.t = select(parallel, -infinity<W>, min(c.t, ahead));
         inside.far.t = select(parallel, infinity<W>, max(c.t, ahead));
         inside.near.entering = W(0) == W(0);

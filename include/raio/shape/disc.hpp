@@ -42,29 +42,23 @@ struct disc {
         return {center + f.to_world({rho * cos(phi), rho * sin(phi), T(0)}), f.z};
     }
 
-    template <class W>
-    RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
+    template <class W, real R>
+    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
-        constexpr double u = unit_roundoff<W>;
-        vec3<W> n(normal), d(ray.direction), l = vec3<W>(ray.origin) - vec3<W>(center);
-        auto height = height_above<W>(n, center, ray.origin);
-        crossing<W> c = cross_plane(n, d, height.value, height.error);
-
-        vec3<W> step = d * c.t, from_center = l + step;
-        W r2 = W(radius) * W(radius), inner = r2 - dot(from_center, from_center);
-        E off = norm1(vec3<E>(d)) * c.error + E(3 * u) * (norm1(vec3<E>(l)) + norm1(vec3<E>(step)));
-        E slack = off * (E(2) * norm1(vec3<E>(from_center)) + off) + E(8 * u) * E(r2);
+        auto [c, distance2, distance2_error] = cross_plane_about<W>(center, normal, ray);
+        W r2 = W(radius) * W(radius), inner = r2 - distance2;
+        E slack = with_underflow<W>(distance2_error + E(8 * unit_roundoff<W>) * E(r2));
         c.exists = every(c.exists, inner >= -tie<W>(slack), radius > T(0));
         c.certain = every(c.certain, abs(inner) > slack);
         return c;
     }
 
-    template <class W>
-    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        vec3<T> outward(normalize(vec3<quick_t<T>>(normal)));
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal)));
         record_point(ray, c, rec);
-        rec.normal = outward * select(c.entering, T(1), T(-1));
-        vec3<T> local = frame_about(outward).to_local(rec.point - center);
+        rec.normal = outward * select(c.entering, N(1), N(-1));
+        vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - center);
         rec.uv = {turns(local.y, local.x), min(T(1), sqrt(local.x * local.x + local.y * local.y) / radius)};
     }
 };

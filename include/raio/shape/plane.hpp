@@ -32,21 +32,21 @@ struct plane {
 
     RAIO_FN constexpr aabb<T> bounds() const { return unbounded<T>(); }
 
-    template <class W>
-    RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
+    template <class W, real R>
+    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
         vec3<W> n(normal);
         auto height = height_above<W>(n, point, ray.origin);
         crossing<W> c = cross_plane(n, vec3<W>(ray.direction), height.value, height.error);
-        keep_if_reachable(ray, c);
+        keep_if_reachable<T>(ray, c);
         return c;
     }
 
-    template <class W>
-    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        vec3<T> outward(normalize(vec3<quick_t<T>>(normal)));
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal)));
         record_point(ray, c, rec);
-        rec.normal = outward * select(c.entering, T(1), T(-1));
-        vec3<T> local = frame_about(outward).to_local(rec.point - point);
+        rec.normal = outward * select(c.entering, N(1), N(-1));
+        vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - point);
         rec.uv = {fraction(local.x), fraction(local.y)};
     }
 };

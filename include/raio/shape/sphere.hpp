@@ -2,6 +2,7 @@
 
 #include <raio/concepts.hpp>
 #include <raio/math/angle.hpp>
+#include <raio/math/quadratic.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {
@@ -47,43 +48,40 @@ struct sphere {
         return {center + normal * radius, normal};
     }
 
-    template <class W>
-    RAIO_FN constexpr chord<W> crossings(const ray<T>& ray) const {
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
         vec3<W> d(ray.direction), l = vec3<W>(center) - vec3<W>(ray.origin), moment = cross(l, d);
         W a = dot(d, d), b = dot(l, d), ar2 = a * W(radius) * W(radius), passed2 = dot(moment, moment);
         W s2 = ar2 - passed2;
 
-        // With u the unit roundoff and |l| |d| <= |b| + |l x d|, s2 is off by less than 8 u |l x d| |b| + 14 u (ar2 +
-        // passed2), and twice a product is at most the sum of the squares, however they are weighted. If the chord is
-        // no shorter than a 32nd of the diameter, b -+ s is right to 2^14 u (|b| + s).
+        // With u the unit roundoff, l x d is off by less than 4 u |l| |d|, and that decides whether the line passes
+        // by. The size of a vector is the sum of its components here.
         constexpr double u = unit_roundoff<W>, least = least_normal<W>;
-        E s2_error = E(0x1p23 * u) * E(passed2) + E(0x1p-18 * u) * (E(b) * E(b));
+        E l_size = norm1(vec3<E>(l)), d_size = norm1(vec3<E>(d)), moment_error = E(4 * u) * l_size * d_size;
+        E s2_error = moment_error * (E(2) * norm1(vec3<E>(moment)) + moment_error) + E(8 * u) * (E(ar2) + E(passed2));
+        s2_error = with_underflow<W>(s2_error);
         // A sphere so small that the last precision cannot tell it from its centre has no normal: it is missed.
         E resolved = tie<W>(E(0x1p24 * u * u) * (E(b) * E(b)));
         const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), ar2 >= W(least) + resolved, radius > T(0));
-        const mask_t<W> certain = some(s2 < -s2_error, every(s2 > E(0x1p9) * s2_error, s2 > W(0x1p-10) * ar2));
+        // A chord above a 32nd of the diameter: its ends are then right to 2^9 u of their distance.
+        const mask_t<W> long_chord = every(s2 > s2_error, s2 > W(0x1p-10) * ar2);
+        const mask_t<W> certain = every(a >= W(least), some(s2 < -s2_error, long_chord));
         if (none(exists)) return {{exists, certain, W(0), E(0), exists}, {exists, certain, W(0), E(0), exists}};
 
         W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
-        E error = E(0x1p14 * u) * (abs(E(b)) + E(s)) * E(over_a);
-        W near = (b - s) * over_a, far = (b + s) * over_a;
-        if constexpr (std::same_as<W, double_double>) {
-            // The product of both roots is c / a with c = l.l - radius^2, which is exact for floats: so the root that
-            // cancels is found from the other one, and a ray that starts on the sphere starts at t = 0.
-            W c = dot(l, l) - W(radius) * W(radius), q = b + copysign(s, b);
-            (q > W(0) ? near : far) = quotient(c, q, W(0));
-        }
-        return {{exists, certain, near, error, exists}, {exists, certain, far, error, !exists}};
+        E error = with_underflow<W>(E(0x1p9 * u) * d_size * (l_size + E(radius)) * E(over_a));
+        vec2<W> t = quadratic_roots(over_a, b, dot(l, l) - W(radius) * W(radius), s);
+        return {{exists, certain, t.x, error, exists}, {exists, certain, t.y, error, !exists}};
     }
 
-    template <class W>
-    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        using Q = quick_t<T>;
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        using Q = quick_t<N>;
         vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
-        vec3<T> outward(normalize(vec3<Q>(from_center)));
+        vec3<N> outward(normalize_from<T>(vec3<Q>(from_center)));
         record_point(ray, c, rec, radius);
-        rec.normal = outward * select(c.entering, T(1), T(-1));
+        rec.normal = outward * select(c.entering, N(1), N(-1));
         // Angles do not ask for unit length: they need not wait for the root.
         vec3<T> scaled(vec3<Q>(from_center) * (Q(1) / Q(radius)));
         rec.uv = {turns(-scaled.z, scaled.x), latitude(scaled.y, sqrt(scaled.x * scaled.x + scaled.z * scaled.z))};

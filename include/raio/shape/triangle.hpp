@@ -41,8 +41,8 @@ struct triangle {
         return {a + (b - a) * (root * (T(1) - u.y)) + (c - a) * (root * u.y), normalize(cross(b - a, c - a))};
     }
 
-    template <class W>
-    RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
+    template <class W, real R>
+    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
         vec3<W> direction(ray.direction), corner(a);
         vec3<W> e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner, s = vec3<W>(ray.origin) - corner;
@@ -65,28 +65,24 @@ struct triangle {
                 .certain = every(size > E(2) * det_error, some(outside, inside)),
                 .t = t,
                 .error = error,
-                .entering = det > W(0)};
+                .entering = det > W(0),
+                .uv = vec2<W>(u, v) * abs(over_det)};
     }
 
-    template <class W>
-    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& at, hit_record<T>& rec) const {
-        using Q = quick_t<T>;
-        vec3<W> corner(a), edge1 = scaled_into_range(vec3<W>(b) - corner),
-                           edge2 = scaled_into_range(vec3<W>(c) - corner);
-        vec3<Q> across(cross(edge1, edge2)), e1(edge1), e2(edge2);
-        vec3<Q> p((vec3<W>(ray.origin) - corner) + vec3<W>(ray.direction) * at.t);
-        vec3<T> outward(normalize(across));
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
+        using Q = quick_t<N>;
+        vec3<W> e1 = scaled_into_range<T>(vec3<W>(b) - vec3<W>(a)), e2 = scaled_into_range<T>(vec3<W>(c) - vec3<W>(a));
+        vec3<N> outward(normalize_from<T>(vec3<Q>(cross(e1, e2))));
         record_point(ray, at, rec);
         // The exact point is a mean of the corners; where the triangle is seen edge-on the computed one may lie beyond
         // them.
         const auto between = [](T v, T x, T y, T z) { return max(min(min(x, y), z), min(max(max(x, y), z), v)); };
         rec.point = {between(rec.point.x, a.x, b.x, c.x), between(rec.point.y, a.y, b.y, c.y),
                      between(rec.point.z, a.z, b.z, c.z)};
-        rec.normal = outward * select(at.entering, T(1), T(-1));
-        // The areas of the triangles that the point makes with two of the corners, over the area of the whole.
-        Q over_area2 = quotient(Q(1), dot(across, across), Q(0));
-        const T u = max(T(0), min(T(1), T(dot(cross(p, e2), across) * over_area2)));
-        rec.uv = {u, max(T(0), min(T(1) - u, T(dot(cross(e1, p), across) * over_area2)))};
+        rec.normal = outward * select(at.entering, N(1), N(-1));
+        const T u = max(T(0), min(T(1), T(at.uv.x)));
+        rec.uv = {u, max(T(0), min(T(1) - u, T(at.uv.y)))};
     }
 };
 

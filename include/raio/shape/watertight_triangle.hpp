@@ -33,11 +33,11 @@ struct watertight_triangle {
     RAIO_FN constexpr T area() const { return as_triangle().area(); }
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_triangle().sample(u); }
 
-    template <class W>
-    RAIO_FN constexpr crossing<W> crossings(const ray<T>& ray) const {
-        const auto turned = [&](const vec3<T>& v) {
-            // A rotation of the coordinates that makes the largest component of the direction the last one.
-            const T x = abs(ray.direction.x), y = abs(ray.direction.y), z = abs(ray.direction.z);
+    template <class W, real R>
+    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
+        // A rotation of the coordinates that makes the largest component of the direction the last one.
+        const auto turned = [&](const auto& v) {
+            const R x = abs(ray.direction.x), y = abs(ray.direction.y), z = abs(ray.direction.z);
             const mask_t<T> last_is_x = x > y && x > z, last_is_y = !last_is_x && y > z;
             return vec3<W>(W(select(last_is_x, v.y, select(last_is_y, v.z, v.x))),
                            W(select(last_is_x, v.z, select(last_is_y, v.x, v.y))),
@@ -55,11 +55,17 @@ struct watertight_triangle {
         vec3<W> p = sheared(a), q = sheared(b), r = sheared(c);
         W u = r.x * q.y - r.y * q.x, v = p.x * r.y - p.y * r.x, w = q.x * p.y - q.y * p.x, det = u + v + w;
 
-        // A sheared corner is off by 5 roundings of its distance from the origin at most, an edge function by twelve of
-        // the product of two such distances.
-        E k = E(12 * unit_roundoff<W>), two(2), np = two * norm1(vec3<E>(p)), nq = two * norm1(vec3<E>(q)),
-          nr = two * norm1(vec3<E>(r));
-        E u_error = k * nr * nq, v_error = k * np * nr, w_error = k * nq * np, det_error = u_error + v_error + w_error;
+        // A sheared corner is off by less than 10 roundings of its distance from the origin, and with it the edge
+        // functions; their own roundings count as 4 more.
+        E k = E(14 * unit_roundoff<W>), two(2);
+        const auto corner_error = [&](const vec3<W>& x) { return with_underflow<W>(k * norm1(vec3<E>(x))); };
+        const auto edge_error = [&](const vec3<W>& x, const E& x_error, const vec3<W>& y, const E& y_error) {
+            E x_size = abs(E(x.x)) + abs(E(x.y)), y_size = abs(E(y.x)) + abs(E(y.y));
+            return with_underflow<W>(x_size * y_error + y_size * x_error + two * x_error * y_error);
+        };
+        E p_error = corner_error(p), q_error = corner_error(q), r_error = corner_error(r);
+        E u_error = edge_error(r, r_error, q, q_error), v_error = edge_error(p, p_error, r, r_error);
+        E w_error = edge_error(q, q_error, p, p_error), det_error = u_error + v_error + w_error;
         E u_tie = tie<W>(u_error), v_tie = tie<W>(v_error), w_tie = tie<W>(w_error);
         const mask_t<W> inside =
             some(every(u >= -u_tie, v >= -v_tie, w >= -w_tie), every(u <= u_tie, v <= v_tie, w <= w_tie));
@@ -73,11 +79,12 @@ struct watertight_triangle {
                 .certain = every(decided, some(!inside, abs(det) > two * det_error)),
                 .t = t,
                 .error = error,
-                .entering = (det > zero) == (direction.z > zero)};
+                .entering = (det > zero) == (direction.z > zero),
+                .uv = vec2<W>(v, w) * over_det};
     }
 
-    template <class W>
-    RAIO_FN constexpr void surface(const ray<T>& ray, const crossing<W>& at, hit_record<T>& rec) const {
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
         as_triangle().surface(ray, at, rec);
     }
 

@@ -1,0 +1,35 @@
+#include "bvh/contenders.hpp"
+
+// Triangles: SCENE/RAYS/CONTENDER is one measurement.
+
+namespace {
+
+void add(const bench::scene& scene) {
+    using raio::bvh_quality;
+    const bench::lazy_mesh mesh(scene.mesh);
+    const auto standard = bench::lazy_raio_tree(mesh.triangles, bvh_quality::standard);
+    const auto rays = bench::lazy_ray_sets(mesh, standard, scene.camera);
+    const auto add_raio = [&](const char* name, const bench::lazy<bench::triangle_tree>& tree) {
+        bench::add_tree<raio::hit_record<float>>(scene.name, name, tree, rays);
+    };
+    add_raio("raio", standard);
+    add_raio("raio_high", bench::lazy_raio_tree(mesh.triangles, bvh_quality::high));
+#ifdef RAIO_BENCH_EMBREE
+    for (const char* isa : bench::embree_isas) {
+        const auto add_embree = [&](const char* name, const peers::embree_options& options) {
+            bench::add_tree<RTCRayHit>(scene.name, bench::name_with_isa(name, isa),
+                                       bench::lazy_embree_tree(mesh.mesh, options), rays);
+        };
+        add_embree("embree", {.isa = isa});
+        add_embree("embree_high", {.isa = isa, .quality = RTC_BUILD_QUALITY_HIGH});
+        add_embree("embree_robust", {.isa = isa, .robust = true});
+    }
+#endif
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    for (const bench::scene& scene : bench::scenes()) add(scene);
+    return bench::run(argc, argv);
+}

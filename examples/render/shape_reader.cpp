@@ -1,0 +1,203 @@
+#include "shape_reader.hpp"
+
+#include <cmath>
+#include <span>
+#include <string>
+
+#include <glm/vector_relational.hpp>
+
+#include "reading.hpp"
+
+namespace render {
+namespace {
+
+using any_solid = raio::any_solid<number>;
+using transform = raio::transform<number>;
+
+/// Shapes may stand in others only so deep that no ray runs out of stack.
+constexpr int deepest = 100;
+
+shape read_shape(tokens& in, int depth);
+
+shape read_disc(tokens& in, int) {
+    return raio::disc<number>{vector(in, "the centre of a disc"), direction(in, "the normal of a disc"),
+                              in.expect_number("the radius of a disc", positive)};
+}
+
+template <class Cylinder>
+shape read_cylinder(tokens& in, int) {
+    const vec3 base = vector(in, "the base of a cylinder"), axis = direction(in, "the axis of a cylinder");
+    const number radius = in.expect_number("the radius of a cylinder", positive);
+    const number height = in.expect_number("the height of a cylinder", positive);
+    const vec3 top = base + raio::normalize(axis) * height;
+    if (top == base) in.fail("a height that is lost in the rounding of the base", "a higher cylinder");
+    return Cylinder{base, top, radius};
+}
+
+shape read_torus(tokens& in, int) {
+    return raio::torus<number>{vector(in, "the centre of a torus"), direction(in, "the axis of a torus"),
+                               in.expect_number("the major radius of a torus", positive),
+                               in.expect_number("the minor radius of a torus", positive)};
+}
+
+shape read_triangle(tokens& in, int) {
+    constexpr auto what = "the corners of a triangle";
+    const raio::triangle<number> triangle{vector(in, what), vector(in, what), vector(in, what)};
+    if (triangle.area() == 0) in.fail("a triangle without area", "corners that are not on one line");
+    return triangle;
+}
+
+shape read_box(tokens& in, int) {
+    const raio::box<number> box{vector(in, "the minimum of a box"), vector(in, "the maximum of a box")};
+    if (!glm::all(glm::lessThanEqual(box.min, box.max))) {
+        in.fail("a minimum above the maximum of a box", "the lesser coordinates first");
+    }
+    if (box.area() == 0) in.fail("a box without area", "sizes that are 0 along one axis at most");
+    return box;
+}
+
+shape read_polyhedron(tokens& in, int) {
+    raio::convex_polyhedron<number> polyhedron;
+    polyhedron.planes = section(in, "planes of a polyhedron", [&] {
+        return raio::half_space<number>{direction(in, "the normal of a polyhedron's plane"),
+                                        in.expect_number("the offset of a polyhedron's plane")};
+    });
+    if (polyhedron.planes.empty()) in.fail("a polyhedron without planes", "at least one");
+    return polyhedron;
+}
+
+/// What several solids are together, two by two, so that the tree of them is as flat as it can be.
+any_solid combined(std::span<const any_solid> parts, any_solid (*combine)(any_solid, any_solid)) {
+    if (parts.size() == 1) return parts.front();
+    const std::size_t half = parts.size() / 2;
+    return combine(combined(parts.first(half), combine), combined(parts.subspan(half), combine));
+}
+
+any_solid united(any_solid a, any_solid b) { return raio::union_of(std::move(a), std::move(b)); }
+any_solid intersected(any_solid a, any_solid b) { return raio::intersection_of(std::move(a), std::move(b)); }
+
+any_solid read_solid(tokens& in, int depth) {
+    return std::visit(
+        [&]<class Shape>(const Shape& s) -> any_solid {
+            if constexpr (raio::solid<Shape>) return s;
+            in.fail("a shape without an inside", "a solid to combine with others");
+        },
+        read_shape(in, depth + 1));
+}
+
+std::vector<any_solid> read_solids(tokens& in, int depth, std::string_view what) {
+    auto parts = section(in, what, [&] { return read_solid(in, depth); });
+    if (parts.size() < 2) in.fail(joined({"less than two ", what}), "at least two");
+    return parts;
+}
+
+shape read_union(tokens& in, int depth) { return combined(read_solids(in, depth, "solids of a union"), united); }
+
+shape read_intersection(tokens& in, int depth) {
+    return combined(read_solids(in, depth, "solids of an intersection"), intersected);
+}
+
+shape read_difference(tokens& in, int depth) {
+    const std::vector<any_solid> parts = read_solids(in, depth, "solids of a difference");
+    return any_solid(raio::difference_of(parts.front(), combined(std::span(parts).subspan(1), united)));
+}
+
+const by_name<shape (*)(tokens&, int)> shapes{
+    {"sphere",
+     [](tokens& in, int) -> shape {
+         return raio::sphere<number>{vector(in, "the centre of a sphere"),
+                                     in.expect_number("the radius of a sphere", positive)};
+     }},
+    {"plane",
+     [](tokens& in, int) -> shape {
+         return raio::plane<number>{vector(in, "the point of a plane"), direction(in, "the normal of a plane")};
+     }},
+    {"circle", read_disc},
+    {"disc", read_disc},
+    {"triangle", read_triangle},
+    {"box", read_box},
+    {"cylinder", read_cylinder<raio::cylinder<number>>},
+    {"open_cylinder", read_cylinder<raio::open_cylinder<number>>},
+    {"polyhedron", read_polyhedron},
+    {"torus", read_torus},
+    {"union", read_union},
+    {"intersection", read_intersection},
+    {"difference", read_difference},
+    {"mesh",
+     [](tokens& in, int) -> shape {
+         in.fail("a mesh inside of another shape", "one that stands alone, and has its own offset and scale");
+     }},
+};
+
+const by_name<transform (*)(tokens&)> transforms{
+    {"translate", [](tokens& in) { return raio::translation(vector(in, "the offset of a translation")); }},
+    {"rotate",
+     [](tokens& in) {
+         const vec3 axis = direction(in, "the axis of a rotation");
+         return raio::rotation(axis, in.expect_number("the angle of a rotation") * raio::pi<number> / 180);
+     }},
+    {"scale",
+     [](tokens& in) {
+         constexpr requirement not_zero{"a number other than 0", [](double x) { return x != 0; }};
+         return raio::scaling(vector(in, "the factors of a scale", not_zero));
+     }},
+};
+
+/// The transforms that stand before a shape, the last one applied first.
+transform read_transforms(tokens& in) {
+    transform map;
+    while (transforms.contains(in.peek())) map = map * choose(in, transforms, "a transform")(in);
+    const number volume = std::abs(raio::dot(map.x, raio::cross(map.y, map.z)));
+    if (!(volume > 1e-150 && volume < 1e150 && raio::norm1(map.origin) < 1e150)) {
+        in.fail("transforms that lead out of the range of numbers", "scales nearer to 1");
+    }
+    return map;
+}
+
+/// The shape under a map; still a solid if it is one.
+shape transformed(const shape& bare, const transform& map) {
+    return std::visit(
+        [&]<class Shape>(const Shape& s) -> shape {
+            if constexpr (raio::solid<Shape>)
+                return any_solid(raio::transformed(any_solid(s), map));
+            else
+                return raio::any_primitive<number>(raio::transformed(raio::any_primitive<number>(s), map));
+        },
+        bare);
+}
+
+shape read_shape(tokens& in, int depth) {
+    if (depth > deepest)
+        in.fail(joined({"a shape that stands in more than ", std::to_string(deepest), " others"}), "fewer");
+    const bool moved = transforms.contains(in.peek());
+    const transform map = read_transforms(in);
+    const shape bare = choose(in, shapes, "a shape")(in, depth);
+    return moved ? transformed(bare, map) : bare;
+}
+
+/// The triangles of a mesh, scaled and then moved.
+std::vector<shape> read_mesh(tokens& in, const meshes& known) {
+    const std::string name(in.expect_word("the file of a mesh"));
+    const vec3 offset = vector(in, "the offset of a mesh");
+    const number scale = in.expect_number("the scale of a mesh", positive);
+    const auto placed = [&](const vec3& p) {
+        const vec3 at = p * scale + offset;
+        if (raio::norm1(at) > 1e50) in.fail("a mesh that reaches beyond 1e50", "a lesser scale or offset");
+        return at;
+    };
+    std::vector<shape> triangles;
+    for (const auto& [a, b, c] : known.load(known.folder / name)) {
+        triangles.push_back(raio::triangle<number>{placed(a), placed(b), placed(c)});
+    }
+    return triangles;
+}
+
+}  // namespace
+
+std::vector<shape> read_shapes(tokens& in, const meshes& known) {
+    if (in.peek() != "mesh") return {read_shape(in, 0)};
+    in.expect_word("a mesh");
+    return read_mesh(in, known);
+}
+
+}  // namespace render

@@ -1,0 +1,235 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include <raio/bvh/build.hpp>
+#include <raio/bvh/leaf_kinds.hpp>
+#include <raio/bvh/morton.hpp>
+#include <raio/bvh/options.hpp>
+#include <raio/bvh/presplit.hpp>
+
+namespace raio::detail {
+
+/// What a tree is made of: the nodes, and the shapes in their leaves. It is made of as many sources as there are types
+/// of shapes, each of which has a size and shapes by their numbers.
+template <class... Shapes>
+class assembled {
+public:
+    using T = std::common_type_t<number_t<Shapes>...>;
+    using leaves_type = leaf_kinds<leaves_of<Shapes>...>;
+
+    std::vector<wide_node> nodes;
+    leaves_type leaves;
+    aabb<T> bounds;
+    T scale = 1;     ///< of the nodes' boxes: a power of two that brings them near 1, if they are far from it
+    float size = 0;  ///< the largest coordinate of these
+    double cost = 0;
+
+    template <class Sources>
+    void build(const Sources& shapes, const bvh_options& options) {
+        options_ = options;
+        const unsigned threads = thread_count(options.threads);
+        std::vector<build_box> references = find_references(shapes, threads);
+        // The builder takes what it is given to pieces.
+        const std::vector<build_box> whole =
+            options.quality == bvh_quality::high ? references : std::vector<build_box>{};
+        trees made = make_trees(references, options.quality, threads);
+        if (options.quality == bvh_quality::high) {
+            // Pieces pay where shapes are large and lie across each other; elsewhere they are more to go through.
+            auto pieces = presplit(whole, 0.5f, threads, [&](std::uint32_t id) { return corners_of(shapes, id); });
+            trees of_pieces = make_trees(pieces, options.quality, threads);
+            if (of_pieces.wide.cost < made.wide.cost) made = std::move(of_pieces);
+        }
+        nodes = std::move(made.wide.nodes);
+        cost = made.wide.cost;
+        for_each_kind([&](auto kind) {
+            fill(std::get<kind()>(leaves.all), made.wide.leaves[kind()], std::get<kind()>(shapes), made.binary.order,
+                 first_id_[kind()], threads);
+        });
+    }
+
+    /// Nothing is changed if this throws.
+    template <class Sources>
+    void refit(const Sources& shapes) {
+        std::uint32_t count = 0;
+        std::apply([&](const auto&... source) { ((count += static_cast<std::uint32_t>(source.size())), ...); }, shapes);
+        if (count != count_) throw std::invalid_argument("raio::bvh: refit with another number of shapes");
+        assembled moved;
+        moved.first_id_ = first_id_;
+        const std::vector<build_box> references = moved.find_references(shapes, thread_count(options_.threads));
+        // What was left out, or would have to be, has no place in the tree that is there.
+        if (references.size() != count || placed_ != count || moved.scale != scale) {
+            moved.build(shapes, options_);
+            *this = std::move(moved);
+            return;
+        }
+        bounds = moved.bounds;
+        size = moved.size;
+        for_each_kind([&](auto kind) {
+            auto& own = std::get<kind()>(leaves.all);
+            for (std::uint32_t i = 0; i < own.size(); ++i) {
+                for (std::uint32_t left = own.used(i); left != 0; left &= left - 1) {
+                    const auto lane = static_cast<unsigned>(std::countr_zero(left));
+                    own.set(i, lane, std::get<kind()>(shapes)[own.id(i, lane) - first_id_[kind()]]);
+                }
+            }
+        });
+        refit_nodes(references);
+    }
+
+    std::size_t bytes() const {
+        std::size_t sum = nodes.size() * sizeof(wide_node);
+        std::apply([&](const auto&... l) { ((sum += l.bytes()), ...); }, leaves.all);
+        return sum;
+    }
+
+private:
+    static constexpr std::size_t kind_count = sizeof...(Shapes);
+    static constexpr std::size_t part_size = 4096;
+
+    struct trees {
+        binary_tree binary;
+        wide_tree wide;
+    };
+
+    trees make_trees(std::vector<build_box>& references, bvh_quality quality, unsigned threads) const {
+        static constexpr std::array costs{leaves_of<Shapes>::cost...};
+        const std::uint32_t leaf = std::ranges::min(costs, {}, &leaf_kind::lanes).lanes;
+        trees made;
+        made.binary = quality == bvh_quality::low
+                          ? morton_builder(references, {first_id_}, leaf, threads).take()
+                          : binned_builder(references, {first_id_}, {.leaf = leaf}, threads).take();
+        made.wide = collapser(made.binary, costs, threads).take();
+        return made;
+    }
+
+    template <class Visit>
+    static void for_each_kind(Visit visit) {
+        [&]<std::size_t... I>(std::index_sequence<I...>) { (visit(std::integral_constant<std::size_t, I>{}), ...); }
+        (std::make_index_sequence<kind_count>());
+    }
+
+    /// The corners of a triangle, scaled as the boxes are; nothing for another shape.
+    template <class Sources>
+    std::optional<corners> corners_of(const Sources& shapes, std::uint32_t id) const {
+        std::optional<corners> found;
+        for_each_kind([&](auto kind) {
+            using shape = std::tuple_element_t<kind(), std::tuple<Shapes...>>;
+            if constexpr (three_cornered<shape>) {
+                if (kind() != kinds{first_id_}(id)) return;
+                const shape s = std::get<kind()>(shapes)[id - first_id_[kind()]];
+                found = {vec3<double>(s.a * scale), vec3<double>(s.b * scale), vec3<double>(s.c * scale)};
+            }
+        });
+        return found;
+    }
+
+    /// The boxes of all shapes that have points, and all that is known from them.
+    template <class Sources>
+    std::vector<build_box> find_references(const Sources& shapes, unsigned threads) {
+        count_ = 0;
+        for_each_kind([&](auto kind) {
+            first_id_[kind()] = count_;
+            count_ += static_cast<std::uint32_t>(std::get<kind()>(shapes).size());
+        });
+        std::vector<build_box> references(count_);
+        const auto find = [&] {
+            bounds = {};
+            for_each_kind([&](auto kind) {
+                bounds = hull(bounds, find_boxes(std::get<kind()>(shapes), first_id_[kind()], threads, references));
+            });
+        };
+        find();
+        if (!(bounds.min.x <= bounds.max.x)) return {};
+        vec3<T> low = abs(bounds.min), high = abs(bounds.max);
+        const T reach = max(max(max(low.x, low.y), low.z), max(max(high.x, high.y), high.z));
+        if (reach > T(0) && (reach < T(0x1p-20) || reach > T(0x1p40))) {
+            int exponent = 0;
+            std::frexp(reach, &exponent);
+            scale = std::ldexp(T(1), std::clamp(-exponent, std::numeric_limits<T>::min_exponent + 1,
+                                                std::numeric_limits<T>::max_exponent - 2));
+            find();
+        }
+        build_box all;
+        for (const build_box& r : references) all.include(r);
+        size = all.reach();
+        std::erase_if(references, [](const build_box& b) { return b.low(0) > b.high(0); });
+        placed_ = static_cast<std::uint32_t>(references.size());
+        return references;
+    }
+
+    template <class Source>
+    aabb<T> find_boxes(const Source& shapes, std::uint32_t first_id, unsigned threads,
+                       std::vector<build_box>& references) const {
+        std::vector<aabb<T>> hulls(parts_of(part_size, shapes.size()));
+        parallel_for(hulls.size(), threads, [&](std::size_t i) {
+            const part p = part_of(i, part_size, shapes.size());
+            for (std::size_t j = p.begin; j < p.end; ++j) {
+                const aabb<T> box = shapes[j].bounds();
+                if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) continue;
+                const auto id = first_id + static_cast<std::uint32_t>(j);
+                if (!is_finite(box.min) || !is_finite(box.max)) {
+                    throw std::invalid_argument("raio::bvh: shape " + std::to_string(id) + " has no finite bounds");
+                }
+                references[id] = to_build_box(aabb<T>{box.min * scale, box.max * scale}, id);
+                hulls[i] = hull(hulls[i], box);
+            }
+        });
+        aabb<T> all;
+        for (const aabb<T>& box : hulls) all = hull(all, box);
+        return all;
+    }
+
+    template <class Leaves, class Source>
+    static void fill(Leaves& leaves, std::span<const leaf_range> ranges, const Source& shapes,
+                     std::span<const std::uint32_t> order, std::uint32_t first_id, unsigned threads) {
+        leaves.resize(ranges);
+        parallel_for(parts_of(part_size, ranges.size()), threads, [&](std::size_t i) {
+            const part p = part_of(i, part_size, ranges.size());
+            for (std::size_t j = p.begin; j < p.end; ++j) {
+                leaves.fill(j, order.subspan(ranges[j].first, ranges[j].count),
+                            [&](std::uint32_t id) { return shapes[id - first_id]; });
+            }
+        });
+    }
+
+    /// Boxes from the bottom to the top: children stand behind their parents.
+    /// \param references  of all shapes, by their ids
+    void refit_nodes(std::span<const build_box> references) {
+        std::vector<build_box> boxes(nodes.size());
+        double sum = 0;
+        for (std::size_t i = nodes.size(); i-- > 0;) {
+            wide_node& node = nodes[i];
+            for (std::size_t j = 0; j < node_width; ++j) {
+                if (node.planes[0][j] > node.planes[1][j]) continue;  // without a child
+                const std::uint32_t c = node.children[j];
+                build_box box;
+                float weight = 1;
+                if (child::is_leaf(c)) {
+                    leaves_type::with_kind(child::kind(c), [&](auto kind) {
+                        const auto& own = std::get<kind()>(leaves.all);
+                        const std::uint32_t block = child::block(c), used = own.used(block);
+                        for (std::uint32_t left = used; left != 0; left &= left - 1) {
+                            box.include(references[own.id(block, static_cast<unsigned>(std::countr_zero(left)))]);
+                        }
+                        weight = own.cost.of(static_cast<std::uint32_t>(std::popcount(used)));
+                    });
+                } else {
+                    box = boxes[c];
+                }
+                node.set(j, box);
+                boxes[i].include(box);
+                sum += static_cast<double>(box.half_area() * weight);
+            }
+        }
+        if (!nodes.empty()) cost = 1 + sum / static_cast<double>(boxes[0].half_area());
+    }
+
+    std::array<std::uint32_t, kind_count> first_id_{};
+    std::uint32_t count_ = 0, placed_ = 0;
+    bvh_options options_;
+};
+
+}  // namespace raio::detail

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <raio/bvh/build_box.hpp>
+
+/// \file
+/// Where to cut a set of boxes in two: between two of the bins that their centres fall into, where the surface area
+/// heuristic is smallest (Wald, On fast construction of SAH-based bounding volume hierarchies, 2007).
+
+namespace raio::detail {
+
+inline constexpr int bin_count = 16;
+
+/// The box around twice the centre alone: what bins and their extent are counted in.
+inline build_box center_box(const build_box& box) {
+    const std::array<float, 3> c{center2(box, 0), center2(box, 1), center2(box, 2)};
+    const float corners[] = {c[0], c[1], c[2], 0, -c[0], -c[1], -c[2], 0};
+    build_box b;
+    b.v = build_box::numbers::load(corners);
+    return b;
+}
+
+/// Which bin a centre falls into: the extent of all the centres, axis by axis, in equal parts.
+struct bin_scale {
+    std::array<float, 3> low, scale;
+
+    explicit bin_scale(const build_box& centers) {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const float extent = centers.extent(axis);
+            low[axis] = centers.low(axis);
+            // An extent too small to divide by leaves all centres in one bin.
+            scale[axis] = extent > 1e-30f ? 0.9999f * bin_count / extent : 0;
+        }
+    }
+
+    unsigned operator()(const build_box& box, unsigned axis) const {
+        return static_cast<unsigned>(static_cast<int>((center2(box, axis) - low[axis]) * scale[axis]));
+    }
+};
+
+struct bin_split {
+    float cost = build_box::none;  ///< the half areas of both sides, each times the number of its boxes
+    unsigned axis = 3;             ///< 3: the boxes cannot be told apart
+    unsigned last = 0;             ///< the last bin of the left side
+    build_box left, right;
+    std::uint32_t left_count = 0;
+};
+
+/// What has fallen into the bins of each axis.
+struct bins {
+    std::array<std::array<build_box, bin_count>, 3> box;
+    std::array<std::array<std::uint32_t, bin_count>, 3> count{};
+
+    void add(const build_box& reference, const bin_scale& bin_of) {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const unsigned b = bin_of(reference, axis);
+            box[axis][b].include(reference);
+            ++count[axis][b];
+        }
+    }
+
+    void add(const bins& other) {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            for (unsigned b = 0; b < bin_count; ++b) {
+                box[axis][b].include(other.box[axis][b]);
+                count[axis][b] += other.count[axis][b];
+            }
+        }
+    }
+
+    bin_split best_split() const {
+        bin_split best;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            std::array<build_box, bin_count> right;
+            std::array<float, bin_count> right_cost;
+            build_box side;
+            std::uint32_t beyond = 0;
+            for (unsigned b = bin_count - 1; b > 0; --b) {
+                side.include(box[axis][b]);
+                beyond += count[axis][b];
+                right[b] = side;
+                right_cost[b] = side.half_area() * static_cast<float>(beyond);
+            }
+            side = {};
+            std::uint32_t before = 0;
+            const std::uint32_t total = beyond + count[axis][0];
+            for (unsigned b = 0; b + 1 < bin_count; ++b) {
+                side.include(box[axis][b]);
+                before += count[axis][b];
+                if (before == 0 || before == total) continue;
+                const float cost = side.half_area() * static_cast<float>(before) + right_cost[b + 1];
+                if (cost < best.cost) {
+                    best = {cost, axis, b, side, right[b + 1], before};
+                }
+            }
+        }
+        return best;
+    }
+};
+
+}  // namespace raio::detail

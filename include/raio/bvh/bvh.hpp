@@ -1,0 +1,230 @@
+#pragma once
+
+#include <raio/bvh/assemble.hpp>
+#include <raio/bvh/hit_list.hpp>
+#include <raio/bvh/nearest.hpp>
+#include <raio/bvh/traverse.hpp>
+#include <raio/compose/group.hpp>
+#include <raio/compose/mesh.hpp>
+
+namespace raio {
+
+/// A bounding volume hierarchy: many shapes, of one type or of several, that a ray asks only where it comes close.
+///
+///     raio::bvh<raio::triangle<float>> tree(triangles);
+///     raio::bvh scene{raio::group{spheres, triangles}};    // two vectors: a bvh<sphere<float>, triangle<float>>
+///
+/// It answers what the plain loop over all shapes answers, bit for bit: the nearest is hit, and of equally near ones
+/// the first. `hit_record::index` counts the shapes in the order in which they were given. The tree has as many
+/// children a node as the processor's registers have lanes, and its leaves are blocks of shapes in packs, which filter;
+/// the plain shapes decide. So boxes, tree and packs make it fast and nothing else.
+///
+/// The shapes are copied. Every shape must have finite bounds; shapes without any point are left out.
+template <bounded P, bounded... Rest>
+requires(std::floating_point<number_t<P>> && (std::same_as<number_t<Rest>, number_t<P>> && ...)) class bvh {
+    using leaves = typename detail::assembled<P, Rest...>::leaves_type;
+    static constexpr std::size_t kind_count = 1 + sizeof...(Rest);
+
+public:
+    using number = number_t<P>;
+    using T = number;
+
+    bvh() = default;
+
+    /// \throws std::invalid_argument  for a shape that is infinite or not a number, named by its index
+    explicit bvh(std::span<const P> shapes, const bvh_options& options = {}) requires(sizeof...(Rest) == 0) {
+        tree_.build(std::tuple(shapes), options);
+    }
+
+    /// \throws std::invalid_argument  as well
+    template <class... Members>
+    requires(sizeof...(Members) == kind_count) explicit bvh(const group<Members...>& shapes,
+                                                            const bvh_options& options = {}) {
+        std::apply([&](const auto&... member) { tree_.build(std::tuple(all_of(member)...), options); }, shapes.members);
+    }
+
+    /// The triangles of a mesh; what it has beside them is not taken.
+    /// \throws std::invalid_argument  as well, and what `mesh::check` throws
+    explicit bvh(const mesh<T>& of, const bvh_options& options = {}) requires(sizeof...(Rest) == 0) {
+        of.check();
+        tree_.build(std::tuple(triangles_of{of}), options);
+    }
+
+    /// The same shapes at other places: the tree stays, its boxes follow. The farther they go, the more the tree costs.
+    /// \throws std::invalid_argument  if they are not as many as before, and what the constructor throws; then nothing
+    /// has changed
+    void refit(std::span<const P> shapes) requires(sizeof...(Rest) == 0) { tree_.refit(std::tuple(shapes)); }
+    template <class... Members>
+    requires(sizeof...(Members) == kind_count) void refit(const group<Members...>& shapes) {
+        std::apply([&](const auto&... member) { tree_.refit(std::tuple(all_of(member)...)); }, shapes.members);
+    }
+    void refit(const mesh<T>& of) requires(sizeof...(Rest) == 0) {
+        of.check();
+        tree_.refit(std::tuple(triangles_of{of}));
+    }
+
+    bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return hit<T, T>(ray, t_min, t_max, rec);
+    }
+    template <real R, real N>
+    [[gnu::flatten]] bool hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
+        detail::nearest<T, leaves, R, N> query(tree_.leaves, ray, t_min, t_max, rec);
+        T far = t_max;
+        visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block, const auto& lanes) {
+            query.template visit<kind()>(block, lanes);
+            far = query.farthest();
+            return true;
+        });
+        return query.finish();
+    }
+
+    bool occluded(const ray<T>& ray, T t_min, T t_max) const { return occluded<T>(ray, t_min, t_max); }
+    template <real R>
+    [[gnu::flatten]] bool occluded(const ray<R>& ray, T t_min, T t_max) const {
+        bool found = false;
+        visit_leaves<true>(ray, t_min, t_max, [&](auto kind, std::uint32_t block, const auto& lanes) {
+            auto findings = tree_.leaves.template find<kind()>(block, lanes, t_min, t_max);
+            found = findings.sure != 0;
+            for (; !found && findings.open != 0; findings.open &= findings.open - 1) {
+                const auto lane = static_cast<unsigned>(std::countr_zero(findings.open));
+                found = detail::occluded(std::get<kind()>(tree_.leaves.all).shape(block, lane), ray, t_min, t_max);
+            }
+            return !found;
+        });
+        return found;
+    }
+
+    /// The nearest crossings that `accept` takes, in order, as many as there is room for in `found`; answers how many.
+    /// A shape that is crossed twice counts twice.
+    /// \param accept  is asked with a hit_record: a mask, or a texture with holes. It may be asked more than once
+    template <class Accept = bool (*)(const hit_record<T>&)>
+    std::size_t nearest_hits(
+        const ray<T>& ray, T t_min, T t_max, std::span<hit_record<T>> found,
+        Accept accept = [](const hit_record<T>&) { return true; }) const {
+        if (found.empty()) return 0;
+        detail::nearest_few<T> few(found, t_max);
+        collect(ray, t_min, t_max, few, accept);
+        return few.count();
+    }
+
+    /// All crossings, in order.
+    std::vector<hit_record<T>> all_hits(const ray<T>& ray, T t_min, T t_max) const {
+        detail::all_hits<T> all(t_max);
+        collect(ray, t_min, t_max, all, [](const hit_record<T>&) { return true; });
+        return std::move(all).sorted();
+    }
+
+    /// The nearest that `accept` takes.
+    template <std::predicate<const hit_record<T>&> Accept>
+    bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec, Accept accept) const {
+        return nearest_hits(ray, t_min, t_max, std::span(&rec, 1), accept) != 0;
+    }
+
+    /// Is there any that `accept` takes?
+    template <std::predicate<const hit_record<T>&> Accept>
+    bool occluded(const ray<T>& ray, T t_min, T t_max, Accept accept) const {
+        bool found = false;
+        visit_leaves<true>(ray, t_min, t_max, [&](auto kind, std::uint32_t block, const auto& lanes) {
+            for_each_lane<kind()>(block, lanes, t_min, t_max, [&](const auto& shape, std::uint32_t id) {
+                detail::for_each_crossing(shape, ray, t_min, t_max, id, [&](const hit_record<T>& rec) {
+                    found = accept(rec);
+                    return !found;
+                });
+                return !found;
+            });
+            return !found;
+        });
+        return found;
+    }
+
+    aabb<T> bounds() const { return tree_.bounds; }
+
+    /// What a ray through `bounds` costs, by the surface area heuristic, in tests of a node.
+    double cost() const { return tree_.cost; }
+
+    /// How much memory the tree takes, the shapes included.
+    std::size_t bytes() const { return tree_.bytes(); }
+
+private:
+    struct triangles_of {
+        const mesh<T>& of;
+
+        std::size_t size() const { return of.size(); }
+        P operator[](std::size_t i) const {
+            const triangle<T> t = of[i];
+            return {t.a, t.b, t.c};
+        }
+    };
+
+    /// Calls `visit` with the shapes of a leaf that may be crossed, and their ids, as long as it answers true.
+    template <std::size_t Kind, class Lanes, class Visit>
+    void for_each_lane(std::uint32_t block, const Lanes& lanes, T t_min, T t_max, Visit visit) const {
+        const auto found = tree_.leaves.template find<Kind>(block, lanes, t_min, t_max);
+        const auto& own = std::get<Kind>(tree_.leaves.all);
+        for (std::uint32_t left = found.sure | found.open; left != 0; left &= left - 1) {
+            const auto lane = static_cast<unsigned>(std::countr_zero(left));
+            if (!visit(own.shape(block, lane), own.id(block, lane))) return;
+        }
+    }
+
+    template <class Hits, class Accept>
+    void collect(const ray<T>& ray, T t_min, T t_max, Hits& hits, Accept accept) const {
+        T far = t_max;
+        visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block, const auto& lanes) {
+            for_each_lane<kind()>(block, lanes, t_min, far, [&](const auto& shape, std::uint32_t id) {
+                detail::for_each_crossing(shape, ray, t_min, far, id, [&](const hit_record<T>& rec) {
+                    if (accept(rec)) hits.add(rec);
+                    far = hits.farthest();
+                    return true;
+                });
+                return true;
+            });
+            return true;
+        });
+    }
+
+    /// The shapes of a member of a group, be it a range or a single one.
+    template <class Member>
+    static auto all_of(const Member& member) {
+        if constexpr (primitive<Member>) {
+            return std::span(&member, 1);
+        } else {
+            return std::span(member);
+        }
+    }
+
+    /// Calls `visit` with all leaves that the ray may meet.
+    /// \param t_max  may be brought nearer by `visit`
+    template <bool Any, class R, class Visit>
+    void visit_leaves(const ray<R>& ray, T t_min, const T& t_max, Visit visit) const {
+        const bool runs = norm1(ray.direction) > R(0) && is_finite(ray.direction) && is_finite(ray.origin);
+        if (tree_.nodes.empty() || !runs || !(t_min <= t_max)) return;
+        const auto lanes = leaves::rays(ray);
+        float far = detail::rounded_up(t_max);
+        const float near = detail::rounded_down(t_min);
+        const detail::node_ray boxes(ray, R(tree_.scale), tree_.size);
+        const auto visit_leaf = [&](std::uint32_t leaf) {
+            const bool go_on = leaves::with_kind(detail::child::kind(leaf), [&](auto kind) {
+                return visit(kind, detail::child::block(leaf), std::get<kind()>(lanes));
+            });
+            far = detail::rounded_up(t_max);
+            return go_on;
+        };
+        if constexpr (Any) {
+            detail::traverse_any(tree_.nodes, boxes, near, far, visit_leaf);
+        } else {
+            detail::traverse(tree_.nodes, boxes, near, far, visit_leaf);
+        }
+    }
+
+    detail::assembled<P, Rest...> tree_;
+};
+
+template <class P>
+bvh(const std::vector<P>&, const bvh_options& = {}) -> bvh<P>;
+template <real T>
+bvh(const mesh<T>&, const bvh_options& = {}) -> bvh<triangle<T>>;
+template <class... Members>
+bvh(const group<Members...>&, const bvh_options& = {}) -> bvh<typename detail::primitive_of<Members>::type...>;
+
+}  // namespace raio

@@ -1,0 +1,192 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <raio/bvh/collapse.hpp>
+#include <raio/bvh/gather.hpp>
+
+/// \file
+/// The shapes at the leaves of a tree, and what a ray finds there.
+///
+/// Shapes that fit in packs stand in blocks, and a block is tested together, in the precision of the pack. Its
+/// crossings state their errors: so the answer of a lane is a fact, or it is open, and then the plain shape is asked.
+
+namespace raio::detail {
+
+/// The lanes of a block: as many as fill a register.
+template <class Shape>
+inline constexpr std::size_t block_lanes = std::max<std::size_t>(4, native_lanes<number_t<Shape>>);
+
+/// What is known of the crossings of N lanes: those of which a bit is set in `sure` lie in [low, high], and that in
+/// the window; those in `open` may do anything.
+template <class T, std::size_t N>
+struct findings {
+    std::uint32_t sure, open;
+    pack<T, N> low, high;
+};
+
+/// The bits of the lanes in which a crossing is known to be in the window, before it, beyond it, or nowhere.
+template <class T, std::size_t N>
+struct lanes_of_crossing {
+    std::uint32_t inside, before, beyond, nowhere;
+
+    lanes_of_crossing(const crossing<pack<T, N>>& c, const pack<T, N>& low, const pack<T, N>& high,
+                      const pack<T, N>& t_min, const pack<T, N>& t_max) {
+        const std::uint32_t certain = bits(c.certain), exists = certain & bits(c.exists);
+        inside = exists & bits(every(t_min <= low, high <= t_max));
+        before = exists & bits(high < t_min);
+        beyond = exists & bits(t_max < low);
+        nowhere = certain & ~exists;
+    }
+};
+
+template <class T, std::size_t N>
+findings<T, N> judge(const crossing<pack<T, N>>& c, const pack<T, N>& t_min, const pack<T, N>& t_max) {
+    // The exact t is rounded to T as these are: between them is where it comes to lie.
+    pack<T, N> low = c.t - c.error, high = c.t + c.error;
+    const lanes_of_crossing<T, N> is(c, low, high, t_min, t_max);
+    return {is.inside, ~(is.inside | is.before | is.beyond | is.nowhere), low, high};
+}
+
+/// Of a chord the first that is in the window. That of a tube without caps may have a far end only.
+template <class T, std::size_t N>
+findings<T, N> judge(const chord<pack<T, N>>& c, const pack<T, N>& t_min, const pack<T, N>& t_max) {
+    using W = pack<T, N>;
+    W near_low = c.near.t - c.near.error, near_high = c.near.t + c.near.error;
+    W far_low = c.far.t - c.far.error, far_high = c.far.t + c.far.error;
+    const lanes_of_crossing<T, N> near(c.near, near_low, near_high, t_min, t_max);
+    const lanes_of_crossing<T, N> far(c.far, far_low, far_high, t_min, t_max);
+    const std::uint32_t passed = near.before | near.nowhere;
+    const std::uint32_t sure = near.inside | (passed & far.inside);
+    const std::uint32_t out = near.beyond | (passed & (far.before | far.beyond | far.nowhere));
+    const mask_t<W> at_near = every(c.near.exists, t_min <= near_low);
+    return {sure, ~(sure | out), select(at_near, near_low, far_low), select(at_near, near_high, far_high)};
+}
+
+/// Shapes in blocks of packs.
+template <class Shape>
+class leaf_blocks {
+public:
+    using T = number_t<Shape>;
+    static constexpr std::size_t lanes = block_lanes<Shape>;
+    static constexpr leaf_kind cost{.lanes = lanes, .block_cost = 1, .shape_cost = 0};
+
+    /// A ray as the blocks want it: the same in every lane.
+    using ray_type = ray<pack<T, lanes>>;
+    static ray_type in_every_lane(const ray<T>& r) {
+        return {vec3<pack<T, lanes>>(r.origin), vec3<pack<T, lanes>>(r.direction)};
+    }
+
+    void resize(std::span<const leaf_range> ranges) { blocks_.resize(ranges.size()); }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(blocks_.size()); }
+    std::size_t bytes() const { return blocks_.size() * sizeof(block); }
+
+    /// \param shape_of  the shape of an id
+    template <class ShapeOf>
+    void fill(std::size_t i, std::span<const std::uint32_t> ids, ShapeOf shape_of) {
+        // Several pieces of one shape are one shape.
+        std::array<std::uint32_t, lanes> own{};
+        const auto last_copied = std::ranges::copy(ids, own.begin()).out;
+        for (auto at = own.begin(); at != last_copied; ++at)
+            std::rotate(std::upper_bound(own.begin(), at, *at), at, at + 1);
+        const auto count = static_cast<std::size_t>(std::unique(own.begin(), last_copied) - own.begin());
+        block& b = blocks_[i];
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            // A lane without a shape repeats the last one.
+            b.shapes.set(lane, shape_of(own[std::min(lane, count - 1)]));
+            b.ids[lane] = lane < count ? own[lane] : no_id;
+        }
+    }
+
+    std::uint32_t used(std::uint32_t i) const { return blocks_[i].used(); }
+    std::uint32_t id(std::uint32_t i, unsigned lane) const { return blocks_[i].ids[lane]; }
+    Shape shape(std::uint32_t i, unsigned lane) const { return blocks_[i].shapes.get(lane); }
+    void set(std::uint32_t i, unsigned lane, const Shape& shape) { blocks_[i].shapes.set(lane, shape); }
+
+    findings<T, lanes> find(std::uint32_t i, const ray_type& ray, T t_min, T t_max) const {
+        using W = pack<T, lanes>;
+        const block& b = blocks_[i];
+        findings<T, lanes> found = judge(b.shapes.shapes().template crossings<W>(ray), W(t_min), W(t_max));
+        constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - lanes);
+        if (((found.sure | found.open) & all) != 0) {
+            const std::uint32_t used = b.used();
+            found.sure &= used, found.open &= used;
+        } else {
+            found.open = 0;
+        }
+        return found;
+    }
+
+private:
+    static constexpr std::uint32_t no_id = ~std::uint32_t{0};
+
+    struct block {
+        gathered<Shape, lanes> shapes;
+        std::array<std::uint32_t, lanes> ids;
+
+        std::uint32_t used() const {
+            std::uint32_t used = 0;
+            for (unsigned i = 0; i < lanes; ++i) used |= (ids[i] != no_id ? 1u : 0u) << i;
+            return used;
+        }
+    };
+
+    std::vector<block> blocks_;
+};
+
+/// Shapes that have no shape of packs, one after the other: all that is found in them is open.
+template <class Shape>
+class leaf_list {
+public:
+    using T = number_t<Shape>;
+    static constexpr std::size_t lanes = 4;
+    static constexpr leaf_kind cost{.lanes = lanes, .block_cost = 0, .shape_cost = 1};
+
+    /// There are no packs, and no ray for them.
+    struct ray_type {};
+    static ray_type in_every_lane(const ray<T>&) { return {}; }
+
+    void resize(std::span<const leaf_range> ranges) {
+        std::uint32_t first = 0;
+        for (const leaf_range& range : ranges) {
+            ranges_.push_back({first, range.count});
+            first += range.count;
+        }
+        shapes_.resize(first);
+        ids_.resize(first);
+    }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(ranges_.size()); }
+    std::size_t bytes() const {
+        return ranges_.size() * sizeof(leaf_range) + shapes_.size() * (sizeof(shapes_[0]) + sizeof(std::uint32_t));
+    }
+
+    template <class ShapeOf>
+    void fill(std::size_t i, std::span<const std::uint32_t> ids, ShapeOf shape_of) {
+        for (std::size_t j = 0; j < ids.size(); ++j) {
+            shapes_[ranges_[i].first + j] = shape_of(ids[j]);
+            ids_[ranges_[i].first + j] = ids[j];
+        }
+    }
+
+    std::uint32_t used(std::uint32_t i) const { return (1u << ranges_[i].count) - 1; }
+    std::uint32_t id(std::uint32_t i, unsigned lane) const { return ids_[ranges_[i].first + lane]; }
+    const Shape& shape(std::uint32_t i, unsigned lane) const { return *shapes_[ranges_[i].first + lane]; }
+    void set(std::uint32_t i, unsigned lane, const Shape& shape) { shapes_[ranges_[i].first + lane] = shape; }
+
+private:
+    std::vector<leaf_range> ranges_;
+    std::vector<std::optional<Shape>> shapes_;  // not every shape can be empty; all of these are set by `fill`
+    std::vector<std::uint32_t> ids_;
+};
+
+/// All lanes of a leaf, with nothing found out about them.
+template <class Leaves>
+findings<typename Leaves::T, Leaves::lanes> open_lanes(const Leaves& leaves, std::uint32_t i) {
+    return {0, leaves.used(i), {}, {}};
+}
+
+template <class Shape>
+using leaves_of = std::conditional_t<gatherable<Shape>, leaf_blocks<Shape>, leaf_list<Shape>>;
+
+}  // namespace raio::detail

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <tuple>
+
+#include <raio/bvh/leaf.hpp>
+
+namespace raio::detail {
+
+/// The leaves of all kinds, and the leaf that a child is.
+template <class... Leaves>
+class leaf_kinds {
+public:
+    static_assert(sizeof...(Leaves) <= 16);
+
+    std::tuple<Leaves...> all;
+
+    /// What every kind makes of the ray. One of more digits is nothing for packs.
+    template <class R>
+    static auto rays(const ray<R>& ray) {
+        if constexpr ((std::same_as<R, typename Leaves::T> && ...)) {
+            return std::tuple<typename Leaves::ray_type...>(Leaves::in_every_lane(ray)...);
+        } else {
+            return std::tuple<decltype(Leaves{}, no_ray{})...>();
+        }
+    }
+
+    /// What packs say of the shapes of a leaf, if it has any.
+    template <std::size_t Kind, class T, class Ray>
+    auto find(std::uint32_t i, const Ray& lanes, T t_min, T t_max) const {
+        const auto& leaves = std::get<Kind>(all);
+        if constexpr (requires { leaves.find(i, lanes, t_min, t_max); }) {
+            return leaves.find(i, lanes, t_min, t_max);
+        } else {
+            return open_lanes(leaves, i);
+        }
+    }
+
+    /// Calls `visit` with the number of the kind, as a constant.
+    template <class Visit>
+    static auto with_kind(std::uint32_t kind, Visit visit) {
+        return choose<0>(kind, visit);
+    }
+
+private:
+    struct no_ray {};
+
+    template <std::size_t I, class Visit>
+    static auto choose(std::uint32_t kind, Visit& visit) {
+        if constexpr (I + 1 < sizeof...(Leaves)) {
+            if (kind != I) return choose<I + 1>(kind, visit);
+        }
+        return visit(std::integral_constant<std::size_t, I>{});
+    }
+};
+
+}  // namespace raio::detail

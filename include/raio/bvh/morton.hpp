@@ -1,0 +1,184 @@
+#pragma once
+
+#include <raio/bvh/binary_tree.hpp>
+#include <raio/bvh/binning.hpp>
+
+/// \file
+/// The binary tree, quickly: the boxes are sorted along a curve that goes through all of space, cell by cell, and is
+/// cut in two where the cells' codes differ in their highest bit (Lauterbach et al., Fast BVH construction on GPUs,
+/// 2009).
+
+namespace raio::detail {
+
+class morton_builder {
+public:
+    morton_builder(std::span<const build_box> references, kinds kind_of, std::uint32_t leaf, unsigned threads)
+        : references_(references), kind_of_(kind_of), leaf_(leaf), threads_(threads) {
+        const std::size_t n = references.size();
+        if (n == 0) return;
+        find_codes();
+        sort();
+        tree_.order.resize(n);
+        build_top();
+    }
+
+    binary_tree take() { return std::move(tree_); }
+
+private:
+    static constexpr std::size_t part_size = 16384;
+    static constexpr std::uint32_t digit_bits = 10, digits = 1u << digit_bits;
+
+    struct place {
+        std::uint32_t code, reference;
+    };
+
+    /// Puts two zeros before each of ten bits.
+    static std::uint32_t spread(std::uint32_t x) {
+        x = (x | x << 16) & 0x030000ffu;
+        x = (x | x << 8) & 0x0300f00fu;
+        x = (x | x << 4) & 0x030c30c3u;
+        return (x | x << 2) & 0x09249249u;
+    }
+
+    void find_codes() {
+        const std::size_t n = references_.size();
+        std::vector<build_box> centers(parts_of(part_size, n));
+        parallel_for(centers.size(), threads_, [&](std::size_t i) {
+            const part p = part_of(i, part_size, n);
+            for (std::size_t j = p.begin; j < p.end; ++j) centers[i].include(center_box(references_[j]));
+        });
+        build_box all;
+        for (const build_box& c : centers) all.include(c);
+        std::array<float, 3> scale;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            scale[axis] = all.extent(axis) > 1e-30f ? 1023.9f / all.extent(axis) : 0;
+        }
+        places_.resize(n);
+        parallel_for(parts_of(part_size, n), threads_, [&](std::size_t i) {
+            const part p = part_of(i, part_size, n);
+            for (std::size_t j = p.begin; j < p.end; ++j) {
+                std::uint32_t code = 0;
+                for (unsigned axis = 0; axis < 3; ++axis) {
+                    const float cell = (center2(references_[j], axis) - all.low(axis)) * scale[axis];
+                    code |= spread(static_cast<std::uint32_t>(static_cast<int>(cell))) << axis;
+                }
+                places_[j] = {code, static_cast<std::uint32_t>(j)};
+            }
+        });
+    }
+
+    /// By counting, digit by digit from the lowest; parts of the range count, and move, on their own.
+    void sort() {
+        const std::size_t n = places_.size(), parts = parts_of(part_size, n);
+        std::vector<place> sorted(n);
+        std::vector<std::array<std::uint32_t, digits>> begin(parts);
+        for (std::uint32_t shift = 0; shift < 30; shift += digit_bits) {
+            const auto digit = [&](const place& p) { return p.code >> shift & (digits - 1); };
+            parallel_for(parts, threads_, [&](std::size_t i) {
+                begin[i].fill(0);
+                const part p = part_of(i, part_size, n);
+                for (std::size_t j = p.begin; j < p.end; ++j) ++begin[i][digit(places_[j])];
+            });
+            std::uint32_t before = 0;
+            for (std::uint32_t d = 0; d < digits; ++d) {
+                for (auto& count : begin) before += std::exchange(count[d], before);
+            }
+            parallel_for(parts, threads_, [&](std::size_t i) {
+                const part p = part_of(i, part_size, n);
+                for (std::size_t j = p.begin; j < p.end; ++j) sorted[begin[i][digit(places_[j])]++] = places_[j];
+            });
+            std::swap(places_, sorted);
+        }
+    }
+
+    /// Where a range is cut.
+    std::size_t find_cut(std::size_t begin, std::size_t end) const {
+        const std::uint32_t differ = places_[begin].code ^ places_[end - 1].code;
+        if (differ == 0) return begin + (end - begin) / 2;
+        const std::uint32_t highest = std::bit_floor(differ);
+        const auto first = places_.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto cut = std::partition_point(first, places_.begin() + static_cast<std::ptrdiff_t>(end),
+                                              [&](const place& p) { return (p.code & highest) == 0; });
+        return static_cast<std::size_t>(cut - places_.begin());
+    }
+
+    struct open_node {
+        std::uint32_t node;
+        std::size_t begin, end;
+    };
+
+    /// Divides what is larger than `smallest`; answers what is left.
+    std::vector<open_node> divide(std::vector<binary_node>& nodes, const open_node& root, std::size_t smallest) const {
+        std::vector<open_node> stack{root}, rest;
+        while (!stack.empty()) {
+            const open_node current = stack.back();
+            stack.pop_back();
+            if (current.end - current.begin <= smallest) {
+                rest.push_back(current);
+                continue;
+            }
+            const std::size_t cut = find_cut(current.begin, current.end);
+            const auto left = static_cast<std::uint32_t>(nodes.size());
+            nodes[current.node].left = left;
+            set_range(nodes[current.node], current);
+            nodes.resize(nodes.size() + 2);
+            stack.push_back({left + 1, cut, current.end});
+            stack.push_back({left, current.begin, cut});
+        }
+        return rest;
+    }
+
+    static void set_range(binary_node& node, const open_node& from) {
+        node.first = static_cast<std::uint32_t>(from.begin);
+        node.count = static_cast<std::uint32_t>(from.end - from.begin);
+    }
+
+    void build_top() {
+        tree_.nodes.resize(1);
+        const std::vector<open_node> tasks = divide(tree_.nodes, {0, 0, places_.size()}, part_size);
+        std::vector<std::uint32_t> roots;
+        for (const open_node& task : tasks) roots.push_back(task.node);
+        grow_branches(tree_, roots, threads_, [&](std::size_t i) {
+            std::vector<binary_node> nodes(1);
+            for (const open_node& leaf : divide(nodes, {0, tasks[i].begin, tasks[i].end}, leaf_)) close(nodes, leaf);
+            return nodes;
+        });
+    }
+
+    /// Makes a leaf, or one of each kind.
+    void close(std::vector<binary_node>& nodes, open_node leaf) {
+        for (;;) {
+            const auto first = places_.begin() + static_cast<std::ptrdiff_t>(leaf.begin);
+            const auto last = places_.begin() + static_cast<std::ptrdiff_t>(leaf.end);
+            const auto kind = [&](const place& p) { return kind_of_(references_[p.reference].id()); };
+            const std::uint32_t own = kind(*first);
+            const auto others = std::stable_partition(first, last, [&](const place& p) { return kind(p) == own; });
+            const auto cut = static_cast<std::size_t>(others - places_.begin());
+            binary_node made{.box = {}, .left = 0, .first = 0, .count = 0, .kind = own};
+            set_range(made, {0, leaf.begin, cut});
+            for (std::size_t i = leaf.begin; i < cut; ++i) {
+                made.box.include(references_[places_[i].reference]);
+                tree_.order[i] = references_[places_[i].reference].id();
+            }
+            if (cut == leaf.end) {
+                nodes[leaf.node] = made;
+                return;
+            }
+            const auto left = static_cast<std::uint32_t>(nodes.size());
+            nodes[leaf.node].left = left;
+            set_range(nodes[leaf.node], leaf);
+            nodes.push_back(made);
+            nodes.emplace_back();
+            leaf = {left + 1, cut, leaf.end};
+        }
+    }
+
+    std::span<const build_box> references_;
+    kinds kind_of_;
+    std::uint32_t leaf_;
+    unsigned threads_;
+    std::vector<place> places_;
+    binary_tree tree_;
+};
+
+}  // namespace raio::detail

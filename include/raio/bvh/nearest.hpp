@@ -1,0 +1,93 @@
+#pragma once
+
+#include <raio/bvh/leaf_kinds.hpp>
+
+namespace raio::detail {
+
+/// The nearest of all shapes that have been seen so far.
+///
+/// As long as packs can tell who is nearer, nobody else is asked. Where two may be equally near, or a lane is open, the
+/// plain shapes decide, and of equally near ones the lowest id. So what is found is what a loop over `hit` finds; and
+/// of the one that is left, `hit` says the rest.
+template <class T, class Leaves, class R, class N>
+class nearest {
+public:
+    /// \param rec  is left as it is if there is nothing to be found
+    nearest(const Leaves& leaves, const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec)
+        : leaves_(leaves), ray_(ray), t_min_(t_min), t_max_(t_max), low_(t_max), high_(t_max), rec_(rec) {}
+
+    /// Nothing beyond that can be nearest.
+    T farthest() const { return high_; }
+
+    template <std::size_t Kind, class Ray>
+    void visit(std::uint32_t block, const Ray& lanes) {
+        auto found = leaves_.template find<Kind>(block, lanes, t_min_, high_);
+        for (; found.sure != 0; found.sure &= found.sure - 1) {
+            const auto lane = static_cast<unsigned>(std::countr_zero(found.sure));
+            const T low = found.low[lane], high = found.high[lane];
+            if (exists_ && high_ < low) continue;
+            if (!exists_ || high < low_) {
+                take({Kind, block, lane, std::get<Kind>(leaves_.all).id(block, lane)}, low, high);
+            } else {
+                found.open |= 1u << lane;
+            }
+        }
+        for (; found.open != 0; found.open &= found.open - 1) {
+            settle<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open)));
+        }
+    }
+
+    /// Answers the question, once everything has been seen.
+    bool finish() {
+        if (exists_ && !exact_) make_exact();
+        return exists_;
+    }
+
+private:
+    struct place {
+        std::size_t kind;
+        std::uint32_t block;
+        unsigned lane;
+        std::uint32_t id;
+    };
+
+    void take(const place& at, T low, T high) {
+        at_ = at, low_ = low, high_ = high;
+        exists_ = true, exact_ = false;
+    }
+
+    void make_exact() {
+        exact_ = true;
+        Leaves::with_kind(static_cast<std::uint32_t>(at_.kind), [&](auto kind) {
+            return detail::hit(std::get<kind()>(leaves_.all).shape(at_.block, at_.lane), ray_, t_min_, t_max_, rec_);
+        });
+        rec_.index = at_.id;
+        low_ = high_ = rec_.t;
+    }
+
+    /// Asks the plain shape.
+    template <std::size_t Kind>
+    [[gnu::noinline]] void settle(std::uint32_t block, unsigned lane) {
+        const auto& leaves = std::get<Kind>(leaves_.all);
+        const std::uint32_t id = leaves.id(block, lane);
+        if (exists_ && id == at_.id) return;  // a shape may stand in several leaves
+        hit_record<T, N> candidate;
+        if (!detail::hit(leaves.shape(block, lane), ray_, t_min_, high_, candidate)) return;
+        if (exists_ && !exact_ && !(candidate.t < low_)) make_exact();
+        if (exists_ && !(candidate.t < low_ || (candidate.t == low_ && id < at_.id))) return;
+        take({Kind, block, lane, id}, candidate.t, candidate.t);
+        rec_ = candidate;
+        rec_.index = id;
+        exact_ = true;
+    }
+
+    const Leaves& leaves_;
+    const ray<R>& ray_;
+    T t_min_, t_max_;
+    T low_, high_;  ///< where the nearest is, once there is one
+    place at_{};
+    bool exists_ = false, exact_ = false;
+    hit_record<T, N>& rec_;  ///< of the nearest, if that is exact
+};
+
+}  // namespace raio::detail

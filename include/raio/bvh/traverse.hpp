@@ -1,0 +1,96 @@
+#pragma once
+
+#include <raio/bvh/wide_node.hpp>
+
+#include <span>
+
+namespace raio::detail {
+
+/// No tree is deeper.
+inline constexpr std::size_t deepest = 96;
+
+/// Calls `visit` with the leaves that the ray may meet between `t_min` and `t_max`, the nearer mostly before the
+/// farther.
+/// \param t_max  may be brought nearer by `visit`, which answers whether to go on
+template <class Visit>
+void traverse(std::span<const wide_node> nodes, const node_ray& ray, float t_min, const float& t_max, Visit visit) {
+    struct open_child {
+        float t;
+        std::uint32_t child;
+    };
+    using numbers = node_ray::numbers;
+    std::array<open_child, deepest*(node_width - 1) + 1> stack;
+    std::size_t open = 0;
+    std::uint32_t current = 0;
+    numbers from(t_min);
+    for (;;) {
+        if (!child::is_leaf(current)) {
+            const wide_node& node = nodes[current];
+            numbers entry;
+            std::uint32_t met = ray.meets(node, from, numbers(t_max), entry);
+            if (met != 0) {
+                const auto first = static_cast<unsigned>(std::countr_zero(met));
+                met &= met - 1;
+                current = node.children[first];
+                if (met == 0) continue;
+                open_child nearest{entry[first], current};
+                const std::size_t bottom = open;
+                for (; met != 0; met &= met - 1) {
+                    const auto i = static_cast<unsigned>(std::countr_zero(met));
+                    open_child next{entry[i], node.children[i]};
+                    if (next.t < nearest.t) std::swap(next, nearest);
+                    std::size_t at = open++;
+                    for (; at > bottom && stack[at - 1].t < next.t; --at) stack[at] = stack[at - 1];
+                    stack[at] = next;
+                }
+                current = nearest.child;
+                continue;
+            }
+        } else if (!visit(current)) {
+            return;
+        }
+        do {
+            if (open == 0) return;
+            --open;
+        } while (!(stack[open].t <= t_max));
+        current = stack[open].child;
+    }
+}
+
+/// Calls `visit` with the leaves that the ray may meet between `t_min` and `t_max`, in no order, as long as it answers
+/// true. Children that are left wait in groups: a node, and a bit for each.
+template <class Visit>
+void traverse_any(std::span<const wide_node> nodes, const node_ray& ray, float t_min, float t_max, Visit visit) {
+    struct group {
+        const wide_node* node;
+        std::uint32_t met;
+    };
+    using numbers = node_ray::numbers;
+    std::array<group, deepest + 1> stack;
+    group* top = stack.data();
+    const numbers from(t_min), to(t_max);
+    const wide_node* node = nodes.data();
+    for (;;) {
+        numbers entry;
+        std::uint32_t met = ray.meets(*node, from, to, entry);
+        for (;;) {
+            while (met == 0) {
+                if (top == stack.data()) return;
+                --top;
+                node = top->node, met = top->met;
+            }
+            const std::uint32_t next = node->children[static_cast<unsigned>(std::countr_zero(met))];
+            met &= met - 1;
+            if (child::is_leaf(next)) {
+                if (!visit(next)) return;
+            } else {
+                *top = {node, met};
+                top += met != 0 ? 1 : 0;
+                node = nodes.data() + next;
+                break;
+            }
+        }
+    }
+}
+
+}  // namespace raio::detail

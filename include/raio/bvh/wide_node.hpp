@@ -1,0 +1,113 @@
+#pragma once
+
+#include <raio/bvh/build_box.hpp>
+#include <raio/math/simd.hpp>
+#include <raio/ray.hpp>
+
+namespace raio::detail {
+
+/// How many children a node has: as many floats as there are in a register.
+inline constexpr std::size_t node_width = std::max<std::size_t>(4, native_lanes<float>);
+
+/// What a child is: another node, or a block of shapes of one kind.
+struct child {
+    static constexpr std::uint32_t leaf_bit = 1u << 31;
+    static constexpr unsigned kind_shift = 27;
+
+    static constexpr std::uint32_t leaf(std::uint32_t kind, std::uint32_t block) {
+        return leaf_bit | kind << kind_shift | block;
+    }
+    static constexpr bool is_leaf(std::uint32_t c) { return (c & leaf_bit) != 0; }
+    static constexpr std::uint32_t kind(std::uint32_t c) { return (c & ~leaf_bit) >> kind_shift; }
+    static constexpr std::uint32_t block(std::uint32_t c) { return c & ((1u << kind_shift) - 1); }
+};
+
+/// The boxes of all children, coordinate by coordinate, and the children. A place without a child holds a box without
+/// points, which no ray meets.
+struct alignas(64) wide_node {
+    std::array<std::array<float, node_width>, 6> planes;  ///< low x, high x, low y, high y, low z, high z
+    std::array<std::uint32_t, node_width> children{};
+
+    wide_node() {
+        for (unsigned i = 0; i < 6; ++i) planes[i].fill(i % 2 == 0 ? build_box::none : -build_box::none);
+    }
+
+    void set(std::size_t i, const build_box& box) {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            planes[2 * axis][i] = box.low(axis);
+            planes[2 * axis + 1][i] = box.high(axis);
+        }
+    }
+
+    build_box box(std::size_t i) const {
+        build_box b;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            b.v.set(axis, planes[2 * axis][i]);
+            b.v.set(axis + 4, -planes[2 * axis + 1][i]);
+        }
+        return b;
+    }
+};
+
+/// A ray as the nodes want it.
+///
+/// The ray passes the plane x = p at t = p r - o r with r = 1 / d, one fused multiply-add. All roundings together, that
+/// of r included, are off by no more than 5 u (|p| + |o|) |r| (compare Ize, Robust BVH ray traversal, JCGT 2(2), 2013):
+/// with 8 u (size + |o|) |r| taken off where a box is entered and added where it is left, |p| <= size, no box is missed
+/// that the exact ray meets, nor one that holds a crossing whose t was rounded. These constants are found once for each
+/// ray, so that it costs the nodes nothing.
+///
+/// A direction's component below 2^-30 of the largest is taken for that much: within the scene this moves the ray by
+/// less than the above. So no component is zero.
+class node_ray {
+public:
+    using numbers = pack<float, node_width>;
+
+    /// \param scale  of the boxes, a power of two, over what they stand for
+    /// \param size   the largest coordinate of all boxes
+    template <class T>
+    node_ray(const ray<T>& ray, T scale, float size) {
+        using four = pack<float, 4>;  // x, y, z, and x once more
+        const auto in_lanes = [&](const vec3<T>& v) {
+            const float lanes[] = {static_cast<float>(v.x * scale), static_cast<float>(v.y * scale),
+                                   static_cast<float>(v.z * scale), static_cast<float>(v.x * scale)};
+            return four::load(lanes);
+        };
+        const auto largest_of = [](const four& v) { return max(max(v[0], v[1]), v[2]); };
+        four o = in_lanes(ray.origin), d = in_lanes(ray.direction);
+        const float largest = largest_of(abs(d)), reach = size + largest_of(abs(o));
+        // Out of range the formula is no good, and every box is taken for met.
+        const bool in_range = largest > 0x1p-90f && largest < 0x1p100f && reach < largest * 0x1p90f;
+        four r(1), k(0), slack(std::numeric_limits<float>::max());
+        if (in_range) [[likely]] {
+            four least(largest * 0x1p-30f);
+            r = four(1) / select(abs(d) < least, copysign(least, d), d);
+            k = o * r;
+            slack = four(reach * 0x1p-20f) * abs(r) + four(std::numeric_limits<float>::min());
+        }
+        four enter = k + slack, leave = k - slack;
+        const std::uint32_t backward = bits(r < four(0));
+        for (unsigned i = 0; i < 3; ++i) {
+            near_[i] = 2 * i + (backward >> i & 1);
+            over_direction_[i] = numbers(r[i]), enter_[i] = numbers(enter[i]), leave_[i] = numbers(leave[i]);
+        }
+    }
+
+    /// Which children are met between `t_min` and `t_max`, one bit for each, and where the ray enters them.
+    std::uint32_t meets(const wide_node& node, const numbers& t_min, const numbers& t_max, numbers& entry) const {
+        const auto at = [&](unsigned plane, unsigned axis, const numbers& k) {
+            return numbers::load(node.planes[plane].data()) * over_direction_[axis] - k;
+        };
+        numbers x = at(near_[0], 0, enter_[0]), y = at(near_[1], 1, enter_[1]), z = at(near_[2], 2, enter_[2]);
+        numbers u = at(near_[0] ^ 1, 0, leave_[0]), v = at(near_[1] ^ 1, 1, leave_[1]);
+        numbers w = at(near_[2] ^ 1, 2, leave_[2]);
+        entry = numbers::max(numbers::max(x, y), numbers::max(z, t_min));
+        return bits(entry <= numbers::min(numbers::min(u, v), numbers::min(w, t_max)));
+    }
+
+private:
+    std::array<numbers, 3> over_direction_, enter_, leave_;
+    std::array<unsigned, 3> near_;
+};
+
+}  // namespace raio::detail

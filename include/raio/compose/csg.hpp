@@ -1,0 +1,195 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+
+/// \file
+/// Constructive solid geometry: what is inside two solids, in one or the other, or in one but not the other.
+///
+/// A ray is inside a solid between the ends of its spans; the spans of both, united, intersected or subtracted, are
+/// those of the composition (Roth, Computer Graphics and Image Processing 18, 1982). Since every solid's ends are
+/// correctly rounded, equal ends are equal: A - A is empty, and every end is a crossing of one of the leaves, which is
+/// asked for its point, normal and uv at just this t.
+///
+/// Spans are closed: solids that touch have the points in common that they touch in. What is subtracted takes its
+/// surface along: the inside of the hole is front, as seen from the hole.
+///
+/// `hit_record::index` counts the leaves of the tree from left to right. Of two leaves that cross at the same t the
+/// left one is recorded.
+
+namespace raio {
+
+enum class set_operation { unite, intersect, subtract };
+
+namespace detail {
+
+/// An end of an interval, which knows whose surface it lies on. Compared by t.
+template <real T>
+struct leaf_end {
+    T t;
+    index_t<T> leaf;
+
+    RAIO_FN constexpr leaf_end operator-() const { return {-t, leaf}; }
+    RAIO_FN friend constexpr bool operator==(const leaf_end& a, const leaf_end& b) { return a.t == b.t; }
+    RAIO_FN friend constexpr bool operator<(const leaf_end& a, const leaf_end& b) { return a.t < b.t; }
+    RAIO_FN friend constexpr bool operator<=(const leaf_end& a, const leaf_end& b) { return a.t <= b.t; }
+    RAIO_FN friend constexpr bool operator>(const leaf_end& a, const leaf_end& b) { return a.t > b.t; }
+    RAIO_FN friend constexpr leaf_end min(const leaf_end& a, const leaf_end& b) { return b < a ? b : a; }
+    RAIO_FN friend constexpr leaf_end max(const leaf_end& a, const leaf_end& b) { return a < b ? b : a; }
+};
+
+}  // namespace detail
+
+template <real T>
+inline constexpr detail::leaf_end<T> infinity<detail::leaf_end<T>>{infinity<T>, {}};
+
+namespace detail {
+
+template <class P>
+concept csg_tree = requires(const P tree) {
+    tree.leaves();
+};
+
+template <solid P>
+RAIO_FN constexpr index_t<number_t<P>> leaf_count(const P& shape) {
+    if constexpr (csg_tree<P>) {
+        return shape.leaves();
+    } else {
+        return 1;
+    }
+}
+
+/// The spans of a tree or of a leaf, whose leaves are counted from `first` on.
+template <solid P, real R>
+RAIO_FN constexpr auto ends_of(const P& shape, const ray<R>& ray, index_t<number_t<P>> first) {
+    if constexpr (csg_tree<P>) {
+        return shape.ends(ray, first);
+    } else {
+        using T = number_t<P>;
+        const spans inside = spans_of(shape, ray);
+        const auto marked = [&]<std::size_t N>(const spans<T, N>& list) {
+            spans<leaf_end<T>, N> ends;
+            for (const interval<T>& i : list) ends.append({{i.min, first}, {i.max, first}});
+            return ends;
+        };
+        return marked(inside);
+    }
+}
+
+}  // namespace detail
+
+/// Two solids and what is made of them; again a solid. Each of them is a primitive, or a pointer to one that is shared.
+template <set_operation Operation, holder A, holder B>
+requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
+    using number = number_t<detail::held_t<A>>;
+    using T = number;
+
+    A a;
+    B b;
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return hit<T, T>(ray, t_min, t_max, rec);
+    }
+    template <real R, real N>
+    RAIO_FN constexpr mask_t<T> hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
+        return first_end(ray, t_min, t_max, [&](const detail::leaf_end<T>& end, bool entering) {
+            const bool met =
+                ask_leaf(end.leaf, [&](const auto& leaf) { return detail::hit(leaf, ray, end.t, end.t, rec); });
+            if (met) rec.index = end.leaf, rec.front_face = entering;
+            return met;
+        });
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return occluded<T>(ray, t_min, t_max);
+    }
+    template <real R>
+    RAIO_FN constexpr mask_t<T> occluded(const ray<R>& ray, T t_min, T t_max) const {
+        return first_end(ray, t_min, t_max, [&](const detail::leaf_end<T>& end, bool) {
+            return ask_leaf(end.leaf, [&](const auto& leaf) { return detail::occluded(leaf, ray, end.t, end.t); });
+        });
+    }
+
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return spans<T>(ray); }
+    template <real R>
+    RAIO_FN constexpr auto spans(const ray<R>& ray) const {
+        const auto unmarked = []<std::size_t N>(const raio::spans<detail::leaf_end<T>, N>& ends) {
+            raio::spans<T, N> inside;
+            for (const auto& i : ends) inside.append({i.min.t, i.max.t});
+            return inside;
+        };
+        return unmarked(ends(ray, 0));
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const requires(bounded<detail::held_t<A>>&& bounded<detail::held_t<B>>) {
+        const aabb<T> of_a = detail::held(a).bounds(), of_b = detail::held(b).bounds();
+        if constexpr (Operation == set_operation::unite) return hull(of_a, of_b);
+        if constexpr (Operation == set_operation::subtract) return of_a;
+        return padded(overlap(of_a, of_b));  // a point that was rounded onto one box may lie beyond the other
+    }
+
+    /// How many leaves the tree has.
+    RAIO_FN constexpr index_t<T> leaves() const {
+        return detail::leaf_count(detail::held(a)) + detail::leaf_count(detail::held(b));
+    }
+
+    /// The spans, with the leaf of each end.
+    template <real R>
+    RAIO_FN constexpr auto ends(const ray<R>& ray, index_t<T> first) const {
+        const auto in_a = detail::ends_of(detail::held(a), ray, first);
+        const auto combined = [&](const auto& in_b) {
+            if constexpr (Operation == set_operation::unite) {
+                return unite(in_a, in_b);
+            } else if constexpr (Operation == set_operation::intersect) {
+                return intersect(in_a, in_b);
+            } else {
+                return subtract(in_a, in_b);
+            }
+        };
+        using in_b = decltype(detail::ends_of(detail::held(b), ray, first));
+        if (in_a.empty() && Operation != set_operation::unite) return combined(in_b());
+        return combined(detail::ends_of(detail::held(b), ray, first + detail::leaf_count(detail::held(a))));
+    }
+
+    /// What `ask` answers of one leaf.
+    template <class Ask>
+    RAIO_FN constexpr bool ask_leaf(index_t<T> leaf, Ask ask) const {
+        const auto in = [&](const auto& shape, index_t<T> nth) {
+            if constexpr (detail::csg_tree<std::remove_cvref_t<decltype(shape)>>) {
+                return shape.ask_leaf(nth, ask);
+            } else {
+                return ask(shape);
+            }
+        };
+        const index_t<T> of_a = detail::leaf_count(detail::held(a));
+        return leaf < of_a ? in(detail::held(a), leaf) : in(detail::held(b), leaf - of_a);
+    }
+
+private:
+    /// Calls `accept` with the ends in the window, one after the other, until it answers true.
+    template <real R, class Accept>
+    RAIO_FN constexpr bool first_end(const ray<R>& ray, T t_min, T t_max, Accept accept) const {
+        for (const auto& i : ends(ray, 0)) {
+            if (t_min <= i.min.t && i.min.t <= t_max && accept(i.min, true)) return true;
+            if (t_min <= i.max.t && i.max.t <= t_max && accept(i.max, false)) return true;
+        }
+        return false;
+    }
+};
+
+/// Inside `a` or `b`.
+template <holder A, holder B>
+RAIO_FN constexpr csg<set_operation::unite, A, B> union_of(A a, B b) {
+    return {std::move(a), std::move(b)};
+}
+/// Inside both.
+template <holder A, holder B>
+RAIO_FN constexpr csg<set_operation::intersect, A, B> intersection_of(A a, B b) {
+    return {std::move(a), std::move(b)};
+}
+/// Inside `a` and not inside `b`.
+template <holder A, holder B>
+RAIO_FN constexpr csg<set_operation::subtract, A, B> difference_of(A a, B b) {
+    return {std::move(a), std::move(b)};
+}
+
+}  // namespace raio

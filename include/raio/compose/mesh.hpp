@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <raio/shape/triangle.hpp>
+
+namespace raio {
+
+/// Triangles that share their corners: each is three indices of vertices, counter-clockwise from outside.
+///
+/// It is a range of triangles, made as they are asked for. To rays it is the loop over them, for few of them and for
+/// tests; for many there is `bvh(mesh)`. A mesh is closed to rays if it is closed: triangles are exact, so that no ray
+/// slips between two that share an edge.
+///
+/// What a vertex has beside its place is of no concern to rays, and is interpolated where one has hit.
+template <real T>
+struct mesh {
+    using number = T;
+
+    std::vector<vec3<T>> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<vec3<T>> normals = {};  ///< one for each vertex, or none at all; any length but zero
+    std::vector<vec2<T>> uv = {};       ///< one for each vertex, or none at all
+
+    std::size_t size() const { return triangles.size(); }
+    triangle<T> operator[](std::size_t i) const {
+        const auto& [a, b, c] = triangles[i];
+        return {vertices[a], vertices[b], vertices[c]};
+    }
+
+    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        bool found = false;
+        for (std::size_t i = 0; i < size(); ++i) {
+            hit_record<T> candidate;
+            if (!(*this)[i].hit(ray, t_min, found ? rec.t : t_max, candidate)) continue;
+            if (found && !(candidate.t < rec.t)) continue;
+            rec = candidate;
+            rec.index = static_cast<std::uint32_t>(i);
+            found = true;
+        }
+        return found;
+    }
+
+    mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        for (std::size_t i = 0; i < size(); ++i) {
+            if ((*this)[i].occluded(ray, t_min, t_max)) return true;
+        }
+        return false;
+    }
+
+    /// Vertices that no triangle has do not count.
+    aabb<T> bounds() const {
+        aabb<T> box;
+        for (std::size_t i = 0; i < size(); ++i) box = hull(box, (*this)[i].bounds());
+        return box;
+    }
+
+    /// \throws std::invalid_argument  for a triangle that has a vertex that there is not, named by its index, and for
+    /// normals or uv that are not as many as the vertices
+    void check() const {
+        for (std::size_t i = 0; i < size(); ++i) {
+            for (const std::uint32_t vertex : triangles[i]) {
+                if (vertex >= vertices.size()) {
+                    throw std::invalid_argument("raio::mesh: triangle " + std::to_string(i) + " has vertex " +
+                                                std::to_string(vertex) + " of " + std::to_string(vertices.size()));
+                }
+            }
+        }
+        const auto fits = [&](std::size_t count) { return count == 0 || count == vertices.size(); };
+        if (!fits(normals.size())) throw std::invalid_argument("raio::mesh: not as many normals as vertices");
+        if (!fits(uv.size())) throw std::invalid_argument("raio::mesh: not as many uv as vertices");
+    }
+
+    /// The unit mean of the normals of the triangle's vertices where a ray has hit it, on the side that was hit; the
+    /// triangle's own normal where there are none.
+    vec3<T> normal_at(const hit_record<T>& rec) const {
+        if (normals.empty()) return rec.normal;
+        return normalize(mean_of(normals, rec)) * (rec.front_face ? T(1) : T(-1));
+    }
+
+    /// The mean of the uv of the triangle's vertices; where there are none, the triangle's own.
+    vec2<T> uv_at(const hit_record<T>& rec) const { return uv.empty() ? rec.uv : mean_of(uv, rec); }
+
+private:
+    template <class V>
+    V mean_of(const std::vector<V>& of, const hit_record<T>& rec) const {
+        const auto& [a, b, c] = triangles[rec.index];
+        return of[a] * (T(1) - rec.uv.x - rec.uv.y) + of[b] * rec.uv.x + of[c] * rec.uv.y;
+    }
+};
+
+}  // namespace raio

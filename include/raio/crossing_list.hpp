@@ -1,0 +1,102 @@
+#pragma once
+
+#include <raio/crossing.hpp>
+#include <raio/math/polynomial.hpp>
+
+/// \file
+/// More than two crossings of one line, and how they are settled. Only for numbers of one lane.
+
+namespace raio {
+
+/// The crossings of one line with a surface, in order. All that are listed exist in the precision of W.
+template <class W, std::size_t N>
+struct crossing_list {
+    std::array<crossing<W>, N> crossings{};
+    std::size_t count = 0;
+    bool certain = true;  ///< are these all, and are they there, whatever the rounding errors were?
+
+    RAIO_FN constexpr const crossing<W>* begin() const { return crossings.data(); }
+    RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
+
+    RAIO_FN constexpr void append(const W& t, const bound_t<W>& error, bool entering) {
+        if (count < N) crossings[count++] = {true, true, t, error, entering};
+    }
+
+    /// Takes over a root of a polynomial along the line that is positive outside. An extremum that cannot be told from
+    /// zero is a tangent: the line crosses twice there.
+    RAIO_FN constexpr void append(const W& t, const bound_t<W>& error, const polynomial_root<W>& root) {
+        const bool entering = root.before > 0 || (root.before == 0 && root.after < 0);
+        append(t, error, entering);
+        if (root.before * root.after > 0) append(t, error, !entering);
+    }
+
+    /// May the line start on the surface?
+    RAIO_FN constexpr bool touches_origin() const {
+        for (const crossing<W>& c : *this) {
+            if (abs(bound_t<W>(c.t)) <= c.error) return true;
+        }
+        return false;
+    }
+    /// It does: what cannot be told from t = 0 is there.
+    RAIO_FN constexpr void start_at_origin() {
+        for (std::size_t i = 0; i < count; ++i) {
+            if (abs(bound_t<W>(crossings[i].t)) <= crossings[i].error) crossings[i].t = W(0);
+        }
+    }
+};
+
+// What `first_hit` and `any_hit` ask of a list; they find it by its argument.
+template <real T, class W, std::size_t N>
+RAIO_FN constexpr crossing<W> first_in_window(const crossing_list<W, N>& list, T t_min, T t_max) {
+    for (const crossing<W>& c : list) {
+        if (detail::in_window(c, t_min, t_max)) return c;
+    }
+    return {false, list.certain, W(0), bound_t<W>(0), false};
+}
+template <detail::question Asked, real T, class W, std::size_t N>
+RAIO_FN constexpr crossing<W> settled_in_window(const crossing_list<W, N>& list, T t_min, T t_max) {
+    if (list.certain) {
+        for (const crossing<W>& c : list) {
+            crossing<W> settled = detail::settled_in_window<Asked>(c, t_min, t_max);
+            if (settled.exists || !settled.certain) return settled;
+        }
+    }
+    return {false, list.certain, W(0), bound_t<W>(0), false};
+}
+
+namespace detail {
+
+/// Does the shape say its crossings as a list?
+template <class Shape, class R>
+concept lists_crossings = requires(const Shape shape, const ray<R> ray) {
+    shape.template crossings<exact_t<typename Shape::number>>(ray).count;
+};
+
+}  // namespace detail
+
+/// Where the line is inside a solid: from where it enters to where it leaves next.
+template <class Shape, real R>
+requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
+    using T = typename Shape::number;
+    const auto between_crossings = []<class W, std::size_t N>(const crossing_list<W, N>& list) {
+        spans<T, N / 2> inside;
+        T entered = -infinity<T>;
+        for (const crossing<W>& c : list) {
+            if (c.entering) {
+                entered = T(c.t);
+            } else {
+                inside.append({entered, T(c.t)});
+            }
+        }
+        return inside;
+    };
+    if constexpr (detail::has_quick<T, R>) {
+        const auto quick = shape.template crossings<quick_t<T>>(ray);
+        bool settled = quick.certain;
+        for (const auto& c : quick) settled = settled && T(c.t - c.error) == T(c.t + c.error);
+        if (settled) return between_crossings(quick);
+    }
+    return between_crossings(shape.template crossings<exact_t<T>>(ray));
+}
+
+}  // namespace raio

@@ -1,0 +1,235 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <raio/math/double_double.hpp>
+#include <raio/math/real.hpp>
+
+/// \file
+/// The roots of a polynomial in an interval: all of them, in order, and how far each may be off.
+///
+/// Between two neighbouring roots of its derivative a polynomial rises or falls all the way: if its sign changes there,
+/// it has one root, and none if not. The derivative's roots are found in the same way, down to degree 1. A root that is
+/// enclosed like this is approached by Newton's method, and by bisection where that would leave the enclosure. (A
+/// closed form loses roots to rounding, and no polish brings back what is lost.)
+///
+/// Every sign is compared with what rounding can have done to it. A root of the derivative where the polynomial cannot
+/// be told from zero is an extremum that may touch zero, or cut it twice: it is reported as a root whose signs before
+/// and after are the same.
+
+namespace raio {
+
+/// coefficient[0] + coefficient[1] t + ... + coefficient[N] t^N. Any coefficient may be zero, the last one as well.
+template <real W, std::size_t N>
+struct polynomial {
+    std::array<W, N + 1> coefficient{};
+    std::array<bound_t<W>, N + 1> error{};  ///< how far each coefficient may be off
+
+    RAIO_FN constexpr W operator()(const W& t) const {
+        W sum = coefficient[N];
+        for (std::size_t k = N; k-- > 0;) sum = sum * t + coefficient[k];
+        return sum;
+    }
+
+    RAIO_FN constexpr polynomial<W, N - 1> derivative() const requires(N >= 1) {
+        using E = bound_t<W>;
+        polynomial<W, N - 1> d;
+        for (std::size_t k = 1; k <= N; ++k) {
+            d.coefficient[k - 1] = W(static_cast<int>(k)) * coefficient[k];
+            d.error[k - 1] = E(static_cast<int>(k)) * (error[k] + E(unit_roundoff<W>) * E(abs(coefficient[k])));
+        }
+        return d;
+    }
+
+    /// The polynomial whose value at |t| bounds the error of the value at t: that of the coefficients, and 2 N
+    /// roundings (Horner's rule; Higham, Accuracy and Stability of Numerical Algorithms, 5.1).
+    RAIO_FN constexpr polynomial<bound_t<W>, N> noise() const {
+        using E = bound_t<W>;
+        polynomial<E, N> bound;
+        for (std::size_t k = 0; k <= N; ++k) {
+            bound.coefficient[k] = error[k] + E((2 * N + 2) * unit_roundoff<W>) * E(abs(coefficient[k]));
+        }
+        return bound;
+    }
+};
+
+/// A place where a polynomial is zero, or cannot be told from it.
+template <real W>
+struct polynomial_root {
+    W t;
+    bound_t<W> error;   ///< bound of |t - root|, for every root that is meant
+    int before, after;  ///< the signs of the polynomial to both sides; 0 beyond an end of the interval
+    bound_t<W> height;  ///< bound of the polynomial's magnitude within `error` of t
+};
+
+/// At most N places, in order.
+template <real W, std::size_t N>
+struct polynomial_roots {
+    std::array<polynomial_root<W>, N> places{};
+    std::size_t count = 0;
+    bool certain = true;  ///< is each of them one simple root, and are they all, whatever the rounding errors were?
+
+    RAIO_FN constexpr const polynomial_root<W>* begin() const { return places.data(); }
+    RAIO_FN constexpr const polynomial_root<W>* end() const { return places.data() + count; }
+};
+
+namespace detail {
+
+/// Finds the roots of one polynomial in [low, high].
+template <real W, std::size_t N>
+class root_finder {
+public:
+    using E = bound_t<W>;
+
+    RAIO_FN constexpr root_finder(const polynomial<W, N>& p, const W& low, const W& high)
+        : p_(p), noise_(p.noise()), low_(low), high_(high) {}
+
+    /// \param tolerance  of Newton's last step, relative to t: its square is left
+    /// \param between    the same for the roots of the derivatives, which need only be told from those of the
+    /// polynomial
+    RAIO_FN constexpr polynomial_roots<W, N> find(const E& tolerance, const E& between) const {
+        polynomial_roots<W, N> found;
+        std::array<sample, N + 1> samples;
+        std::size_t count = 0;
+        samples[count++] = sample_at(low_, E(0), E(0));
+        if constexpr (N > 1) {
+            const polynomial<W, N - 1> slope = p_.derivative();
+            for (const auto& turn : root_finder<W, N - 1>(slope, low_, high_).find(between, between)) {
+                samples[count++] = sample_at(turn.t, turn.error, turn.height);
+            }
+        }
+        samples[count++] = sample_at(high_, E(0), E(0));
+
+        std::size_t next = 0;  // one after the last sample with a sign
+        for (std::size_t i = 0; i <= count; ++i) {
+            if (i < count && samples[i].sign == 0) continue;
+            const sample before = next > 0 ? samples[next - 1] : sample{low_, E(0), 0};
+            const sample after = i < count ? samples[i] : sample{high_, E(0), 0};
+            if (i > next) {
+                found.places[found.count++] = extremum(before, samples[next], samples[i - 1], after);
+                found.certain = false;
+            } else if (before.sign * after.sign < 0) {
+                found.places[found.count++] = enclosed(before, after, tolerance);
+            }
+            next = i + 1;
+        }
+        return found;
+    }
+
+private:
+    /// The polynomial at one place.
+    struct sample {
+        W t;
+        E reach;   ///< how far the extremum that is meant may be from t
+        int sign;  ///< 0 if rounding errors leave it open
+    };
+
+    RAIO_FN static constexpr int sign_beyond(const W& value, const E& error) {
+        return (E(value) > error ? 1 : 0) - (E(value) < -error ? 1 : 0);
+    }
+    RAIO_FN constexpr E noise_at(const W& t) const { return noise_(E(abs(t))); }
+    RAIO_FN constexpr int sign_at(const W& t) const { return sign_beyond(p_(t), noise_at(t)); }
+
+    /// \param slope  bound of the derivative's magnitude within `reach` of t
+    RAIO_FN constexpr sample sample_at(const W& t, const E& reach, const E& slope) const {
+        return {t, reach, sign_beyond(p_(t), noise_(E(abs(t)) + reach) + reach * slope)};
+    }
+
+    /// The distance of the next numbers from t; more than nothing at 0 as well.
+    RAIO_FN constexpr E resolution(const W& t) const {
+        E u(2 * unit_roundoff<W>);
+        return u * (E(abs(t)) + u * E(high_ - low_));
+    }
+
+    /// A place between a and b for the first look at the one root there.
+    RAIO_FN constexpr W guess(const W& a, const W& b) const {
+        W middle = a + (b - a) * W(0.5);
+        if constexpr (N == 1) {
+            return quotient(-p_.coefficient[0], p_.coefficient[1], middle);
+        } else if constexpr (N == 2) {
+            const auto& c = p_.coefficient;
+            W half = c[1] * W(-0.5), square = half * half - c[2] * c[0];
+            W q = half + copysign(sqrt(max(square, W(0))), half), one = quotient(q, c[2], low_),
+              other = quotient(c[0], q, low_);
+            return a <= one && one <= b ? one : a <= other && other <= b ? other : middle;
+        } else {
+            return middle;
+        }
+    }
+
+    /// The one root between two samples of different signs.
+    RAIO_FN constexpr polynomial_root<W> enclosed(const sample& from, const sample& to, const E& tolerance) const {
+        W a = from.t, b = to.t, t = guess(a, b), slope(0);
+        E step = E(b - a);
+        for (int i = 0; i < 256; ++i) {
+            W value = p_.coefficient[N];
+            slope = W(0);
+            for (std::size_t k = N; k-- > 0;) {
+                slope = slope * t + value;
+                value = value * t + p_.coefficient[k];
+            }
+            ((value > W(0)) == (to.sign > 0) ? b : a) = t;
+            W newton = t - quotient(value, slope, W(infinity<W>));
+            E last_step = step;
+            step = E(abs(newton - t));
+            const bool good = a <= newton && newton <= b && step <= E(0.5) * last_step;
+            t = good ? newton : a + (b - a) * W(0.5);
+            if (!good) step = E(abs(b - a));
+            if (!(step > (good ? tolerance : E(unit_roundoff<W>)) * E(abs(t)))) break;
+        }
+
+        // The root lies where the sign changes beyond doubt.
+        E reach = quotient(E(4) * noise_at(t), E(abs(slope)), step) + step * tolerance + resolution(t);
+        for (;;) {
+            W left = max(from.t, t - W(reach)), right = min(to.t, t + W(reach)), at_left = p_(left),
+              at_right = p_(right);
+            E noise = noise_(E(abs(t)) + reach);
+            const bool left_clear = !(from.t < left) || sign_beyond(at_left, noise) == from.sign;
+            const bool right_clear = !(right < to.t) || sign_beyond(at_right, noise) == to.sign;
+            if (left_clear && right_clear) {
+                return {t, E(max(right - t, t - left)), from.sign, to.sign,
+                        E(2) * (max(E(abs(at_left)), E(abs(at_right))) + noise)};
+            }
+            reach = reach * E(4);
+        }
+    }
+
+    /// The root, or the roots, or none, about neighbouring samples that cannot be told from zero.
+    RAIO_FN constexpr polynomial_root<W> extremum(const sample& before, const sample& first, const sample& last,
+                                                  const sample& after) const {
+        W t = first.t + (last.t - first.t) * W(0.5);
+        E reach = E(last.t - first.t) + first.reach + last.reach + resolution(t);
+        for (;;) {
+            W left = max(before.t, t - W(reach)), right = min(after.t, t + W(reach));
+            const bool left_clear = !(before.t < left) || sign_at(left) != 0;
+            const bool right_clear = !(right < after.t) || sign_at(right) != 0;
+            if (left_clear && right_clear) {
+                E height = E(2) * (max(E(abs(p_(left))), E(abs(p_(right)))) + noise_(E(abs(t)) + reach));
+                return {t, E(max(right - t, t - left)), before.sign, after.sign, height};
+            }
+            reach = reach * E(8);
+        }
+    }
+
+    polynomial<W, N> p_;
+    polynomial<E, N> noise_;
+    W low_, high_;
+};
+
+}  // namespace detail
+
+/// The roots in [low, high], which has to be finite. One that is on an end may be found or not, and is not certain.
+/// None, and that not certain, for a polynomial that is not finite.
+template <real W, std::size_t N>
+RAIO_FN constexpr polynomial_roots<W, N> roots_between(const polynomial<W, N>& p, const W& low, const W& high) {
+    using E = bound_t<W>;
+    E largest = p.noise()(max(E(abs(low)), E(abs(high)))) * E(1 / unit_roundoff<W>);
+    if (!(low < high) || !is_finite(largest)) return {.certain = false};
+    E exact = sqrt(E(16 * unit_roundoff<W>)), coarse(0x1p-7);
+    const detail::root_finder<W, N> finder(p, low, high);
+    polynomial_roots<W, N> quick = finder.find(exact, coarse);
+    return quick.certain ? quick : finder.find(exact, exact);
+}
+
+}  // namespace raio

@@ -1,0 +1,331 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include <raio/math/angle.hpp>
+
+/// \file
+/// Many numbers that go through one formula together: a shape of packs is as many shapes, a ray of packs as many rays.
+///
+///     ray<pack<float>> packet;          // as many rays as the processor's registers have lanes
+///     sphere<pack<float, 8>> leaf;      // eight spheres, in one register or in as many as it takes
+///
+/// A pack computes in its own precision and decides in it: its `hit` is as good as its formula, and its `crossings`
+/// say how good that is. Where they are certain, the exact answer of a plain number is the same.
+///
+/// The registers are those of xsimd. Where it is not installed, in CUDA, and where RAIO_WITHOUT_XSIMD is defined, a
+/// `pack<S>` has one lane, and a `pack<S, N>` is N plain numbers.
+
+#if __has_include(<xsimd/xsimd.hpp>) && !defined(__CUDACC__) && !defined(RAIO_WITHOUT_XSIMD) && \
+    (defined(__SSE2__) || defined(_M_X64) || defined(__ARM_NEON))
+
+#include <xsimd/xsimd.hpp>
+
+namespace raio::detail {
+
+/// The widest register that N numbers fill without a rest; the plain number where there is none.
+template <class S, std::size_t N, std::size_t Width = xsimd::batch<S>::size>
+constexpr auto find_register() {
+    if constexpr (Width <= 1) {
+        return std::type_identity<S>{};
+    } else if constexpr (N % Width == 0 && !std::is_void_v<xsimd::make_sized_batch_t<S, Width>>) {
+        return std::type_identity<xsimd::make_sized_batch_t<S, Width>>{};
+    } else {
+        return find_register<S, N, Width / 2>();
+    }
+}
+template <class S, std::size_t N>
+using register_of = typename decltype(find_register<S, N>())::type;
+
+template <class S>
+inline constexpr std::size_t native_lanes = xsimd::batch<S>::size;
+
+// xsimd 8 cannot say the bits of a mask. Where they have registers of their own, the bits are the mask.
+inline std::uint32_t bits_of(std::unsigned_integral auto mask) { return mask; }
+#if XSIMD_WITH_SSE2
+inline std::uint32_t bits_of(__m128 mask) { return static_cast<std::uint32_t>(_mm_movemask_ps(mask)); }
+inline std::uint32_t bits_of(__m128d mask) { return static_cast<std::uint32_t>(_mm_movemask_pd(mask)); }
+#endif
+#if XSIMD_WITH_AVX
+inline std::uint32_t bits_of(__m256 mask) { return static_cast<std::uint32_t>(_mm256_movemask_ps(mask)); }
+inline std::uint32_t bits_of(__m256d mask) { return static_cast<std::uint32_t>(_mm256_movemask_pd(mask)); }
+#endif
+template <class S, class A>
+std::uint32_t bits_of(const xsimd::batch_bool<S, A>& mask) {
+    if constexpr (requires { mask.mask(); }) {
+        return static_cast<std::uint32_t>(mask.mask());
+    } else if constexpr (requires { bits_of(mask.data); }) {
+        return bits_of(mask.data);
+    } else {
+        std::uint32_t bits = 0;
+        for (std::size_t i = 0; i < mask.size; ++i) bits |= std::uint32_t{mask.get(i)} << i;
+        return bits;
+    }
+}
+
+}  // namespace raio::detail
+
+#else
+
+namespace raio::detail {
+
+template <class S, std::size_t N>
+using register_of = S;
+
+template <class S>
+inline constexpr std::size_t native_lanes = 1;
+
+RAIO_FN constexpr std::uint32_t bits_of(bool mask) { return mask ? 1 : 0; }
+
+}  // namespace raio::detail
+
+#endif
+
+namespace raio {
+
+namespace detail {
+
+/// What the comparison of two registers answers.
+template <class Register>
+using register_mask = decltype(std::declval<Register>() < std::declval<Register>());
+
+/// Calls `f` with 0, 1, ... N - 1, without a loop: what is indexed with them can live in registers.
+template <std::size_t N, class F>
+RAIO_FN constexpr void repeat(F f) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (f(I), ...); }
+    (std::make_index_sequence<N>());
+}
+
+}  // namespace detail
+
+/// What a comparison of packs answers: yes or no in each of N lanes. One type for all packs of numbers as large as S,
+/// which is `float` or `double`.
+template <std::floating_point S, std::size_t N>
+class pack_mask {
+public:
+    pack_mask() = default;
+    /// The same in every lane.
+    RAIO_FN constexpr pack_mask(std::same_as<bool> auto value) {
+        each([&](std::size_t i) { registers_[i] = register_type(value); });
+    }
+
+    RAIO_FN constexpr bool operator[](std::size_t lane) const { return (bits(*this) >> lane & 1) != 0; }
+
+    RAIO_FN friend constexpr pack_mask operator&(const pack_mask& a, const pack_mask& b) {
+        return made([&](std::size_t i) { return a.registers_[i] & b.registers_[i]; });
+    }
+    RAIO_FN friend constexpr pack_mask operator|(const pack_mask& a, const pack_mask& b) {
+        return made([&](std::size_t i) { return a.registers_[i] | b.registers_[i]; });
+    }
+    RAIO_FN constexpr pack_mask operator!() const {
+        return made([&](std::size_t i) { return !registers_[i]; });
+    }
+    RAIO_FN friend constexpr pack_mask operator!=(const pack_mask& a, const pack_mask& b) { return (a | b) & !(a & b); }
+    RAIO_FN friend constexpr pack_mask operator==(const pack_mask& a, const pack_mask& b) { return !(a != b); }
+    RAIO_FN friend constexpr pack_mask operator&&(const pack_mask& a, const pack_mask& b) { return a & b; }
+    RAIO_FN friend constexpr pack_mask operator||(const pack_mask& a, const pack_mask& b) { return a | b; }
+
+    RAIO_FN friend constexpr pack_mask select(const pack_mask& where, const pack_mask& a, const pack_mask& b) {
+        return (where && a) || (!where && b);
+    }
+
+    RAIO_FN friend constexpr bool any(const pack_mask& mask) { return bits(mask) != 0; }
+    RAIO_FN friend constexpr bool none(const pack_mask& mask) { return bits(mask) == 0; }
+    RAIO_FN friend constexpr bool all(const pack_mask& mask) { return bits(mask) == (~std::uint32_t{0} >> (32 - N)); }
+
+    /// One bit for each lane, the lowest for the first.
+    RAIO_FN friend constexpr std::uint32_t bits(const pack_mask& mask) {
+        std::uint32_t all = 0;
+        each([&](std::size_t i) { all |= detail::bits_of(mask.registers_[i]) << (i * (N / count)); });
+        return all;
+    }
+
+private:
+    template <class, std::size_t>
+    friend class pack;
+
+    using register_type = detail::register_mask<detail::register_of<S, N>>;
+    static constexpr std::size_t count = N * sizeof(S) / sizeof(detail::register_of<S, N>);
+
+    template <class F>
+    RAIO_FN static constexpr void each(F f) {
+        detail::repeat<count>(f);
+    }
+    template <class F>
+    RAIO_FN static constexpr pack_mask made(F f) {
+        pack_mask mask;
+        each([&](std::size_t i) { mask.registers_[i] = f(i); });
+        return mask;
+    }
+
+    register_type registers_[count];
+};
+
+/// N numbers S: `float` or `double`, or, to count with, unsigned ones of the same size.
+template <class S, std::size_t N = detail::native_lanes<S>>
+class pack {
+    static_assert(std::is_arithmetic_v<S> && (sizeof(S) == 4 || sizeof(S) == 8) && 1 <= N && N <= 32);
+
+public:
+    using mask = pack_mask<std::conditional_t<sizeof(S) == 4, float, double>, N>;
+
+    /// How many numbers.
+    static constexpr std::size_t lanes = N;
+
+    pack() = default;
+    /// The same number in every lane.
+    template <class Number>
+    requires std::is_arithmetic_v<Number> RAIO_FN constexpr pack(Number value) {
+        each([&](std::size_t i) { registers_[i] = register_type(static_cast<S>(value)); });
+    }
+
+    /// N numbers that stand one after the other in memory, aligned or not.
+    RAIO_FN static pack load(const S* from) {
+        pack result;
+        std::memcpy(&result.registers_, from, sizeof(pack));
+        return result;
+    }
+    RAIO_FN void store(S* to) const { std::memcpy(to, &registers_, sizeof(pack)); }
+
+    RAIO_FN S operator[](std::size_t lane) const {
+        S value;
+        std::memcpy(&value, reinterpret_cast<const char*>(&registers_) + lane * sizeof(S), sizeof(S));
+        return value;
+    }
+    RAIO_FN void set(std::size_t lane, S value) {
+        std::memcpy(reinterpret_cast<char*>(&registers_) + lane * sizeof(S), &value, sizeof(S));
+    }
+
+    RAIO_FN constexpr pack operator-() const { return pack(S(-0.0)) - *this; }
+    RAIO_FN friend constexpr pack operator+(const pack& a, const pack& b) {
+        return made([&](std::size_t i) { return a.registers_[i] + b.registers_[i]; });
+    }
+    RAIO_FN friend constexpr pack operator-(const pack& a, const pack& b) {
+        return made([&](std::size_t i) { return a.registers_[i] - b.registers_[i]; });
+    }
+    RAIO_FN friend constexpr pack operator*(const pack& a, const pack& b) {
+        return made([&](std::size_t i) { return a.registers_[i] * b.registers_[i]; });
+    }
+    RAIO_FN friend constexpr pack operator/(const pack& a, const pack& b) {
+        return made([&](std::size_t i) { return a.registers_[i] / b.registers_[i]; });
+    }
+    RAIO_FN constexpr pack& operator+=(const pack& b) { return *this = *this + b; }
+    RAIO_FN constexpr pack& operator-=(const pack& b) { return *this = *this - b; }
+    RAIO_FN constexpr pack& operator*=(const pack& b) { return *this = *this * b; }
+    RAIO_FN constexpr pack& operator/=(const pack& b) { return *this = *this / b; }
+
+    RAIO_FN friend constexpr mask operator==(const pack& a, const pack& b) {
+        return compared([&](std::size_t i) { return a.registers_[i] == b.registers_[i]; });
+    }
+    RAIO_FN friend constexpr mask operator!=(const pack& a, const pack& b) { return !(a == b); }
+    RAIO_FN friend constexpr mask operator<(const pack& a, const pack& b) {
+        return compared([&](std::size_t i) { return a.registers_[i] < b.registers_[i]; });
+    }
+    RAIO_FN friend constexpr mask operator<=(const pack& a, const pack& b) {
+        return compared([&](std::size_t i) { return a.registers_[i] <= b.registers_[i]; });
+    }
+    RAIO_FN friend constexpr mask operator>(const pack& a, const pack& b) { return b < a; }
+    RAIO_FN friend constexpr mask operator>=(const pack& a, const pack& b) { return b <= a; }
+
+    RAIO_FN friend constexpr pack select(const mask& where, const pack& a, const pack& b) {
+        return selected(where, a, b);
+    }
+
+    /// As the minimum and the maximum of plain numbers: `a`, unless `b` is smaller or larger.
+    RAIO_FN static constexpr pack min(const pack& a, const pack& b) {
+#if defined(XSIMD_WITH_SSE2) && XSIMD_WITH_SSE2  // whose instruction for it is just that
+        if constexpr (!std::is_arithmetic_v<register_type>) {
+            return made([&](std::size_t i) { return xsimd::min(b.registers_[i], a.registers_[i]); });
+        }
+#endif
+        return select(b < a, b, a);
+    }
+    RAIO_FN static constexpr pack max(const pack& a, const pack& b) {
+#if defined(XSIMD_WITH_SSE2) && XSIMD_WITH_SSE2
+        if constexpr (!std::is_arithmetic_v<register_type>) {
+            return made([&](std::size_t i) { return xsimd::max(b.registers_[i], a.registers_[i]); });
+        }
+#endif
+        return select(a < b, b, a);
+    }
+
+    RAIO_FN friend constexpr pack sqrt(const pack& x) {
+        return made([&](std::size_t i) { return sqrt(x.registers_[i]); });
+    }
+    RAIO_FN friend constexpr pack abs(const pack& x) {
+        return made([&](std::size_t i) { return abs(x.registers_[i]); });
+    }
+    RAIO_FN friend constexpr pack floor(const pack& x) {
+        // A number this large has no fraction, and would not fit the integers that xsimd takes it to on old processors.
+        const mask whole = !(abs(x) < pack(S(1) / std::numeric_limits<S>::epsilon()));
+        pack small = select(whole, pack(0), x);
+        return select(whole, x, made([&](std::size_t i) { return floor(small.registers_[i]); }));
+    }
+    RAIO_FN friend constexpr pack sin(const pack& x) {
+        return made([&](std::size_t i) { return sin(x.registers_[i]); });
+    }
+    RAIO_FN friend constexpr pack cos(const pack& x) {
+        return made([&](std::size_t i) { return cos(x.registers_[i]); });
+    }
+    RAIO_FN friend constexpr pack copysign(const pack& magnitude, const pack& sign) {
+        return made([&](std::size_t i) { return copysign(magnitude.registers_[i], sign.registers_[i]); });
+    }
+    RAIO_FN friend constexpr pack atan2(const pack& y, const pack& x) {
+        return made([&](std::size_t i) { return atan2(y.registers_[i], x.registers_[i]); });
+    }
+
+private:
+    using register_type = detail::register_of<S, N>;
+    static constexpr std::size_t count = N * sizeof(S) / sizeof(register_type);
+
+    template <class F>
+    RAIO_FN static constexpr void each(F f) {
+        detail::repeat<count>(f);
+    }
+    template <class F>
+    RAIO_FN static constexpr pack made(F f) {
+        pack result;
+        each([&](std::size_t i) { result.registers_[i] = f(i); });
+        return result;
+    }
+    template <class F>
+    RAIO_FN static constexpr mask compared(F f) {
+        mask result;
+        each([&](std::size_t i) { result.registers_[i] = std::bit_cast<typename mask::register_type>(f(i)); });
+        return result;
+    }
+
+    RAIO_FN static constexpr pack selected(const mask& where, const pack& a, const pack& b) {
+        using choice = detail::register_mask<register_type>;
+        return made([&](std::size_t i) {
+            return select(std::bit_cast<choice>(where.registers_[i]), a.registers_[i], b.registers_[i]);
+        });
+    }
+
+    register_type registers_[count];
+};
+
+template <class S, std::size_t N>
+struct real_traits<pack<S, N>> {
+    using scalar = S;
+    using mask = typename pack<S, N>::mask;
+    using index = pack<std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>, N>;
+    using quick = pack<S, N>;
+    using exact = pack<S, N>;
+    using bound = pack<S, N>;
+};
+
+// One number that converts to a pack: the compiler knows it, as it would not know a pack.
+template <class S, std::size_t N>
+inline constexpr S infinity<pack<S, N>> = infinity<S>;
+template <class S, std::size_t N>
+inline constexpr S pi<pack<S, N>> = pi<S>;
+
+}  // namespace raio
+
+template <class S, std::size_t N>
+class std::numeric_limits<raio::pack<S, N>> : public std::numeric_limits<S> {};

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <raio/shape/cylinder.hpp>
+#include <raio/shape/sphere.hpp>
+
+namespace raio {
+
+/// The points at most `radius` from the segment between `base` and `top`: a cylinder with round ends. A line is inside
+/// from where it enters the first of the cylinder and the two spheres to where it leaves the last of them; where base
+/// and top are one, that is a sphere.
+///
+/// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v the height, 0 at the lower pole and 1
+/// at the upper one.
+template <real T>
+struct capsule {
+    using number = T;
+
+    vec3<T> base, top;  ///< the centres of the round ends
+    T radius;           ///< a length; the capsule is missed unless it is positive, and above 2^-60 of the axis
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return hull(low_end().bounds(), high_end().bounds()); }
+
+    RAIO_FN constexpr T area() const { return T(2 * pi<T>) * radius * (length(top - base) + T(2) * radius); }
+
+    /// Along the axis the area is spread evenly, on the round ends as well (Archimedes): `u` is the uv.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        vec3<T> axis = top - base;
+        const T size = length(axis), height = u.y * (size + T(2) * radius) - radius, phi = T(2 * pi<T>) * u.x;
+        const frame<T> f = frame_about(size > T(0) ? axis / size : vec3<T>(T(0), T(0), T(1)));
+        const T on_axis = max(T(0), min(size, height)), rise = max(T(-1), min(T(1), (height - on_axis) / radius));
+        const T rho = sqrt(max(T(0), T(1) - rise * rise));
+        vec3<T> normal = f.to_world({rho * cos(phi), rho * sin(phi), rise});
+        return {base + f.z * on_axis + normal * radius, normal};
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+        chord<W> ends = unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray));
+        chord<W> c = unite(intersect(detail::cross_endless_cylinder<W>(base, top, radius, ray),
+                                     detail::cross_cap_planes<W>(base, top, ray)),
+                           ends);
+        // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
+        vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+        const mask_t<W> slim = W(radius) * W(radius) < W(0x1p-120) * dot(axis, axis);
+        const mask_t<W> sound = every(is_finite(base), is_finite(top), !slim);
+        c.near.exists = every(c.near.exists, sound);
+        c.far.exists = every(c.far.exists, sound);
+        keep_if_reachable<T>(ray, c.near);
+        keep_if_reachable<T>(ray, c.far);
+        return c;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        using Q = quick_t<N>;
+        vec3<W> axis = vec3<W>(top) - vec3<W>(base), step = vec3<W>(ray.direction) * c.t;
+        vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + step;
+        W axis2 = dot(axis, axis), along = quotient(dot(from_base, axis), axis2, W(0));
+        // At the upper end, which may be far from the base, the distance is measured from there.
+        vec3<W> from_top = (vec3<W>(ray.origin) - vec3<W>(top)) + step, beside = from_base - axis * max(W(0), along);
+        vec3<Q> from_axis(select(along >= W(1), from_top, beside));
+        vec3<N> outward(normalize(from_axis));
+        record_point(ray, c, rec, radius);
+        rec.normal = outward * select(c.entering, N(1), N(-1));
+
+        const mask_t<T> is_long = T(axis2) > T(0);
+        vec3<T> up(select(is_long, normalize(vec3<Q>(axis)), vec3<Q>(Q(0), Q(0), Q(1))));
+        const frame<T> f = frame_about(up);
+        vec3<T> from_center(from_axis);
+        const T size = T(sqrt(axis2)), rise = dot(from_center, up),
+                height = max(T(0), min(T(1), T(along))) * size + rise;
+        rec.uv = {turns(dot(from_center, f.y), dot(from_center, f.x)),
+                  max(T(0), min(T(1), (height + radius) / (size + T(2) * radius)))};
+    }
+
+private:
+    RAIO_FN constexpr sphere<T> low_end() const { return {base, radius}; }
+    RAIO_FN constexpr sphere<T> high_end() const { return {top, radius}; }
+};
+
+}  // namespace raio

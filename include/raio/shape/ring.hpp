@@ -1,0 +1,77 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/math/angle.hpp>
+#include <raio/math/frame.hpp>
+#include <raio/plane_crossing.hpp>
+#include <raio/surface_sample.hpp>
+
+namespace raio {
+
+/// The points of a plane at least `inner_radius` and at most `outer_radius` from `center`: an annulus. Where the ray
+/// meets the plane, the squared distance decides.
+///
+/// uv: u is the angle about the normal, from the x axis of `frame_about(normal)`; v goes from 0 at the inner rim to 1
+/// at the outer one.
+template <real T>
+struct ring {
+    using number = T;
+
+    vec3<T> center;
+    vec3<T> normal;  ///< any length but zero
+    T inner_radius;  ///< not negative
+    T outer_radius;  ///< the ring is missed unless this is the larger radius
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const {
+        vec3<T> reach = disc_reach(normal, outer_radius);
+        return padded(aabb<T>{center - reach, center + reach});
+    }
+
+    RAIO_FN constexpr T area() const {
+        return T(pi<T>) * (outer_radius - inner_radius) * (outer_radius + inner_radius);
+    }
+
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        const T inner2 = inner_radius * inner_radius, phi = T(2 * pi<T>) * u.x;
+        const T rho = sqrt(inner2 + u.y * (outer_radius * outer_radius - inner2));
+        const frame<T> f = frame_about(normalize(normal));
+        return {center + f.to_world({rho * cos(phi), rho * sin(phi), T(0)}), f.z};
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
+        using E = bound_t<W>;
+        constexpr double u = unit_roundoff<W>;
+        auto [c, distance2, distance2_error] = cross_plane_about<W>(center, normal, ray);
+        W outer2 = W(outer_radius) * W(outer_radius), inner2 = W(inner_radius) * W(inner_radius);
+        W from_outer = outer2 - distance2, from_inner = distance2 - inner2;
+        E outer_slack = with_underflow<W>(distance2_error + E(8 * u) * E(outer2));
+        E inner_slack = with_underflow<W>(distance2_error + E(8 * u) * E(inner2));
+        const mask_t<W> spread = every(inner_radius >= T(0), outer_radius > inner_radius);
+        c.exists = every(c.exists, from_outer >= -tie<W>(outer_slack), from_inner >= -tie<W>(inner_slack), spread);
+        c.certain = every(c.certain, some(abs(from_outer) > outer_slack, from_inner < -inner_slack),
+                          some(abs(from_inner) > inner_slack, from_outer < -outer_slack));
+        return c;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal)));
+        record_point(ray, c, rec);
+        rec.normal = outward * select(c.entering, N(1), N(-1));
+        vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - center);
+        const T rho = sqrt(local.x * local.x + local.y * local.y);
+        const T across = (rho - inner_radius) / (outer_radius - inner_radius);
+        rec.uv = {turns(local.y, local.x), max(T(0), min(T(1), across))};
+    }
+};
+
+}  // namespace raio

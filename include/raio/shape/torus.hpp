@@ -1,0 +1,170 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/crossing_list.hpp>
+#include <raio/math/angle.hpp>
+#include <raio/math/frame.hpp>
+#include <raio/surface_sample.hpp>
+
+namespace raio {
+
+/// The points at distance `minor_radius` from the circle of radius `major_radius` about `center`, across `axis`: a
+/// solid ring. If the minor radius is the larger one, it has no hole, and what its surface would be inside of itself
+/// does not count.
+///
+/// A point p, as seen from the centre, lies on it where, with the major radius R and the minor radius r,
+///
+///     f = (p.p + R^2 - r^2)^2 - 4 R^2 (p.p - (p.A)^2 / A.A) = 0,    A = axis
+///
+/// which is the product of (z^2 + (rho - R)^2 - r^2) and (z^2 + (rho + R)^2 - r^2): the second factor is the surface
+/// that does not count, where p.p + R^2 - r^2 < 0. From the line's closest approach to the centre on, p.p has no linear
+/// term and f no cubic one. With the length of that part of the line that lies in the bounding sphere for unit, every
+/// coefficient is at most 16, and the four roots lie between -1 and 1.
+///
+/// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v the angle about the circle, from the
+/// outside over the axis' end.
+template <real T>
+struct torus {
+    using number = T;
+
+    vec3<T> center;
+    vec3<T> axis;    ///< of any length but zero
+    T major_radius;  ///< of the circle, positive
+    T minor_radius;  ///< of the tube, positive
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr raio::spans<T, 2> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const {
+        vec3<T> reach = disc_reach(axis, major_radius) + vec3<T>(minor_radius);
+        return padded(padded(aabb<T>{center - reach, center + reach}));
+    }
+
+    RAIO_FN constexpr T area() const { return T(4 * pi<T>) * minor_radius * strip(widest()); }
+
+    /// u.x turns about the axis; u.y is the area between the inside of the tube and the point.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        const T end = widest(), wanted = (T(2) * u.y - T(1)) * strip(end);
+        // Newton's method, halved where it would leave what encloses the angle.
+        T low = -end, high = end, psi = T(0);
+        for (int i = 0; i < 64; ++i) {
+            const T over = strip(psi) - wanted;
+            (over > T(0) ? high : low) = psi;
+            const T next = psi - quotient(over, major_radius + minor_radius * cos(psi), T(infinity<T>));
+            const T last = psi;
+            psi = low <= next && next <= high ? next : low + (high - low) / T(2);
+            if (abs(psi - last) <= T(2 * unit_roundoff<T>) * abs(psi)) break;
+        }
+        const frame<T> f = frame_about(normalize(axis));
+        const T phi = T(2 * pi<T>) * u.x;
+        vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
+        vec3<T> normal = normalize(outwards * cos(psi) + f.z * sin(psi));
+        return {center + outwards * major_radius + normal * minor_radius, normal};
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
+        using E = bound_t<W>;
+        constexpr double u = unit_roundoff<W>, least = least_normal<W>;
+        crossing_list<W, 4> list;
+        vec3<W> d(ray.direction), l = vec3<W>(center) - vec3<W>(ray.origin), a(axis), moment = cross(l, d);
+        // A little more than the bounding sphere, so that the line's ends are clearly outside.
+        W d2 = dot(d, d), a2 = dot(a, a), size = (W(major_radius) + W(minor_radius)) * W(1 + 0x1p-10);
+        W reach2 = d2 * size * size - dot(moment, moment);
+        E far = norm1(vec3<E>(l)), off = E(64 * u) * far;  // how far the point of closest approach may be off
+        const bool sound = major_radius > T(0) && minor_radius > T(0) && a2 >= W(least) && d2 >= W(least);
+        if (!sound || !is_finite(E(reach2))) {
+            list.certain = !sound;
+            return list;
+        }
+        if (off > E(0x1p-13) * E(size)) {  // too far away to be told from its centre
+            list.certain = false;
+            return list;
+        }
+        if (!(reach2 > W(0))) return list;
+
+        W over_d2 = W(1) / d2, over_size = W(1) / size, middle = dot(l, d) * over_d2, half = sqrt(reach2) * over_d2;
+        vec3<W> q = cross(moment, d) * (over_d2 * over_size), e = d * (half * over_size);
+        W major2 = W(major_radius) * over_size, minor2 = W(minor_radius) * over_size;
+        major2 = major2 * major2, minor2 = minor2 * minor2;
+        W q2 = dot(q, q), e2 = dot(e, e), over_a2 = W(1) / a2, aq = dot(a, q), ae = dot(a, e);
+        W g = q2 + (major2 - minor2), four = W(4) * major2;
+        polynomial<W, 4> f{{g * g - four * (q2 - aq * aq * over_a2), W(2) * four * (aq * ae * over_a2),
+                            W(2) * g * e2 - four * (e2 - ae * ae * over_a2), W(0), e2 * e2}};
+        E slack = E(32) * off * E(over_size) + E(128 * u);
+        f.error = {slack, slack, slack, E(0), slack};
+
+        E drift = off * norm1(vec3<E>(d)) * E(over_d2);
+        const auto roots = roots_between(f, W(-1), W(1));
+        list.certain = roots.certain;
+        for (const polynomial_root<W>& root : roots) {
+            W t = middle + half * root.t;
+            E error = E(half) * root.error + drift + E(4 * u) * abs(E(t));
+            if (minor_radius <= major_radius) {
+                list.append(t, error, root);
+                continue;
+            }
+            // On the surface that counts, `outer` is positive. At its two points on the axis it is zero, and the side
+            // that counts is the one farther away from the closest approach.
+            E outer(g + e2 * root.t * root.t), outer_error = slack + E(2) * root.error;
+            const bool tip = abs(outer) <= outer_error, twice = root.before * root.after > 0;
+            const bool entering = root.before > 0;
+            list.certain = list.certain && !tip;
+            if (tip ? counts_at_tip(root, entering) : outer > E(0)) list.append(t, error, entering);
+            if (twice && (tip ? counts_at_tip(root, !entering) : outer > E(0))) list.append(t, error, !entering);
+        }
+        if (list.touches_origin() && lies_on(l)) list.start_at_origin();
+        return list;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        using Q = quick_t<N>;
+        vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
+        const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
+        vec3<Q> p = f.to_local(vec3<Q>(from_center));
+        Q rho = sqrt(p.x * p.x + p.y * p.y), inside = Q(1) - quotient(Q(major_radius), rho, Q(0));
+        // Where the tube meets itself on the axis, it is seen along the axis.
+        vec3<Q> from_circle(p.x * inside, p.y * inside, p.z);
+        const bool nowhere = !(norm1(from_circle) > Q(0));
+        vec3<N> outward(f.to_world(nowhere ? vec3<Q>(Q(0), Q(0), Q(1)) : normalize_from<T>(from_circle)));
+        record_point(ray, c, rec, major_radius + minor_radius);
+        rec.normal = outward * select(c.entering, N(1), N(-1));
+        rec.uv = {turns(T(p.y), T(p.x)), turns(T(p.z), T(rho - Q(major_radius)))};
+    }
+
+private:
+    /// Does a root on the axis count, where the line enters or leaves what f says is inside?
+    template <class W>
+    RAIO_FN static constexpr bool counts_at_tip(const polynomial_root<W>& root, bool entering) {
+        const bound_t<W> x(root.t);
+        return entering ? x <= root.error : x >= -root.error;
+    }
+
+    /// Is f exactly zero at the origin of the ray, as seen from which the centre is at l?
+    template <class W>
+    RAIO_FN constexpr bool lies_on(const vec3<W>& l) const {
+        vec3<W> a(axis);
+        W a2 = dot(a, a), l2 = dot(l, l), al = dot(a, l), major2 = W(major_radius) * W(major_radius);
+        W sum = l2 + (major2 - W(minor_radius) * W(minor_radius));
+        return a2 * (sum * sum) == W(4) * major2 * (a2 * l2 - al * al);
+    }
+
+    /// The angle about the circle at which the tube meets the axis; half a turn for a ring.
+    RAIO_FN constexpr T widest() const {
+        const T r2 = minor_radius * minor_radius - major_radius * major_radius;
+        return atan2(sqrt(max(r2, T(0))), -major_radius);
+    }
+
+    /// The area of the tube between its outside and the angle psi, over its length per angle.
+    RAIO_FN constexpr T strip(const T& psi) const { return major_radius * psi + minor_radius * sin(psi); }
+};
+
+}  // namespace raio

@@ -1,0 +1,107 @@
+#include "support/trees.hpp"
+
+namespace raio::test {
+
+TEST_CASE_TEMPLATE("bvh: as the loop over its shapes", T, float, double) {
+    check_shape<triangle<T>>(300);
+    check_shape<sphere<T>>(300);
+    check_shape<box<T>>(300);
+    check_shape<cylinder<T>>(300);
+    check_shape<open_cylinder<T>>(300);  // was lost where a ray enters through its missing cap
+    check_shape<disc<T>>(300);
+}
+
+TEST_CASE_TEMPLATE("bvh: shapes without a shape of packs", T, float, double) { check_shape<convex_polyhedron<T>>(100); }
+
+TEST_CASE_TEMPLATE("bvh: shapes of several types", T, float, double) {
+    random_numbers random(12);
+    const group shapes{random_shapes<triangle<T>>(random, 100), random_shapes<sphere<T>>(random, 100),
+                       random_shape<box<T>>::make(random), random_shapes<convex_polyhedron<T>>(random, 30),
+                       random_shapes<sphere<T>>(random, 50)};
+    for (const bvh_quality quality : qualities) check_like(bvh{shapes, {.quality = quality}}, shapes, random);
+}
+
+TEST_CASE_TEMPLATE("bvh: trees of trees", T, float, double) {
+    random_numbers random(13);
+    std::vector<bvh<triangle<T>>> trees;
+    std::vector<group<std::vector<triangle<T>>>> loops;
+    for (int i = 0; i < 20; ++i) {
+        const std::vector<triangle<T>> shapes = random_shapes<triangle<T>>(random, i);  // the first has none
+        trees.emplace_back(shapes);
+        loops.emplace_back(shapes);
+    }
+    check_like(bvh{trees}, group{loops}, random);
+}
+
+TEST_CASE_TEMPLATE("bvh: few shapes, or none", T, float, double) {
+    for (const int count : {1, 2, 3, 8, 9, 17}) check_shape<sphere<T>>(count * 100);
+    const bvh<sphere<T>> none(std::span<const sphere<T>>{});
+    hit_record<T> rec;
+    CHECK(!none.hit({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
+    CHECK(!none.occluded({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>));
+    CHECK(!none.bounds().contains({0, 0, 0}));
+}
+
+TEST_CASE_TEMPLATE("bvh: numbers far from 1", T, float, double) {
+    random_numbers random(14);
+    std::vector<sphere<T>> shapes = random_shapes<sphere<T>>(random, 200);
+    const T most = std::same_as<T, float> ? T(0x1p100) : T(0x1p300);
+    for (const T by : {most, 1 / most}) {
+        std::vector<sphere<T>> scaled = shapes;
+        for (sphere<T>& s : scaled) s.center *= by, s.radius *= by;
+        const bvh tree{scaled};
+        const group loop{scaled};
+        for (int i = 0; i < 2000; ++i) {
+            question<T> q(random);
+            q.ray.origin *= by;
+            if (random.one_in(2)) q.ray.direction *= by;
+            hit_record<T> expected, found;
+            const bool hit = loop.hit(q.ray, T(0), infinity<T>, expected);
+            REQUIRE(tree.hit(q.ray, T(0), infinity<T>, found) == hit);
+            REQUIRE(same(found, expected));
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index", T, float, double) {
+    std::vector<sphere<T>> shapes(20, sphere<T>{{1, 2, 3}, 1});
+    for (const T bad : {std::numeric_limits<T>::quiet_NaN(), infinity<T>}) {
+        shapes[17].center.y = bad;
+        CHECK_THROWS_WITH_AS(bvh{shapes}, "raio::bvh: shape 17 has no finite bounds", std::invalid_argument);
+    }
+    shapes[17] = {{0, 0, 0}, -1};  // without any point: left out
+    hit_record<T> rec;
+    CHECK(!bvh{shapes}.hit({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
+    CHECK(bvh{shapes}.hit({{1, 2, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
+    CHECK(rec.index == 0);
+}
+
+TEST_CASE_TEMPLATE("bvh: shapes all in one place, one within the other, in a row", T, float, double) {
+    random_numbers random(15);
+    std::vector<sphere<T>> equal(100, sphere<T>{{0, 0, 0}, 4}), nested;
+    std::vector<box<T>> flat;
+    for (int i = 0; i < 100; ++i) {
+        nested.push_back({{0, 0, 0}, static_cast<T>(std::ldexp(8, -i / 2))});
+        flat.push_back({{T(i) / 8 - 6, -5, 0}, {T(i) / 8 - 5, 5, 0}});
+    }
+    for (const bvh_quality quality : qualities) {
+        check_like(bvh(std::span<const sphere<T>>(equal), {.quality = quality}), group{equal}, random, 1000);
+        check_like(bvh(std::span<const sphere<T>>(nested), {.quality = quality}), group{nested}, random, 1000);
+        check_like(bvh(std::span<const box<T>>(flat), {.quality = quality}), group{flat}, random, 1000);
+    }
+}
+
+TEST_CASE("bvh: the same tree from any number of threads") {
+    random_numbers random(16);
+    const auto shapes = random_shapes<triangle<float>>(random, 50'000);
+    for (const bvh_quality quality : qualities) {
+        const bvh one(std::span<const triangle<float>>(shapes), {.quality = quality, .threads = 1});
+        for (const unsigned threads : {2u, 3u, 7u}) {
+            const bvh several(std::span<const triangle<float>>(shapes), {.quality = quality, .threads = threads});
+            CHECK(several.cost() == one.cost());
+            CHECK(several.bytes() == one.bytes());
+        }
+    }
+}
+
+}  // namespace raio::test

@@ -1,0 +1,97 @@
+#include "support/meshes.hpp"
+#include "support/trees.hpp"
+
+namespace raio::test {
+
+TEST_CASE_TEMPLATE("bvh: refit follows the shapes", T, float, double) {
+    random_numbers random(17);
+    auto shapes = random_shapes<sphere<T>>(random, 300);
+    for (const bvh_quality quality : qualities) {
+        bvh tree(std::span<const sphere<T>>(shapes), {.quality = quality});
+        const double cost = tree.cost();
+        tree.refit(shapes);
+        CHECK(tree.cost() == doctest::Approx(cost));
+        for (sphere<T>& s : shapes) s.center += within<T>(random, 2);
+        tree.refit(shapes);
+        check_like(tree, group{shapes}, random, 1000);
+        CHECK(tree.cost() > cost);
+        shapes[3].radius = -1;  // has no point any more
+        tree.refit(shapes);
+        check_like(tree, group{shapes}, random, 1000);
+        shapes[3].radius = 1;
+        tree.refit(shapes);
+        check_like(tree, group{shapes}, random, 1000);
+        shapes[5].radius = infinity<T>;
+        CHECK_THROWS_AS(tree.refit(shapes), std::invalid_argument);
+        shapes[5].radius = 1;
+        CHECK_THROWS_AS(tree.refit(std::span(shapes).first(299)), std::invalid_argument);
+    }
+}
+
+TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, float, double) {
+    random_numbers random(18);
+    mesh<T> ball;
+    for (const triangle<T>& t : icosphere<triangle<T>>()) {
+        std::array<std::uint32_t, 3> indices{};
+        for (unsigned k = 0; k < 3; ++k) {
+            const vec3<T> corner = k == 0 ? t.a : k == 1 ? t.b : t.c;
+            const auto at = std::ranges::find(ball.vertices, corner);
+            indices[k] = static_cast<std::uint32_t>(at - ball.vertices.begin());
+            if (at == ball.vertices.end()) ball.vertices.push_back(corner);
+        }
+        ball.triangles.push_back(indices);
+    }
+    CHECK(ball.vertices.size() == 162);
+    for (const bvh_quality quality : qualities) {
+        const bvh tree(ball, {.quality = quality});
+        for (int i = 0; i < normal_run / 10; ++i) {
+            // From within, through a vertex or the middle of an edge: it is never outside.
+            const std::array<std::uint32_t, 3>& t = ball.triangles[static_cast<std::size_t>(random.integer(0, 319))];
+            const vec3<T> target =
+                random.one_in(2) ? ball.vertices[t[0]] : (ball.vertices[t[0]] + ball.vertices[t[1]]) / T(2);
+            const vec3<T> from = within<T>(random, 0.5);
+            hit_record<T> expected, found;
+            REQUIRE(tree.hit({from, target - from}, T(0), infinity<T>, found));
+            REQUIRE(ball.hit({from, target - from}, T(0), infinity<T>, expected));
+            REQUIRE(same(found, expected));
+            REQUIRE(!found.front_face);
+        }
+    }
+    ball.triangles[7][1] = 162;
+    CHECK_THROWS_WITH_AS(bvh{ball}, "raio::mesh: triangle 7 has vertex 162 of 162", std::invalid_argument);
+}
+
+TEST_CASE_TEMPLATE("bvh: crossings in order, the nearest few, and a filter", T, float, double) {
+    random_numbers random(19);
+    const auto shapes = random_shapes<sphere<T>>(random, 200);
+    for (const bvh_quality quality : qualities) {
+        const bvh tree(std::span<const sphere<T>>(shapes), {.quality = quality});
+        for (int i = 0; i < 1000; ++i) {
+            const question<T> q(random);
+            std::vector<hit_record<T>> expected;
+            for (std::uint32_t j = 0; j < shapes.size(); ++j) {
+                hit_record<T> rec;
+                for (T from = q.t_min; shapes[j].hit(q.ray, from, q.t_max, rec);
+                     from = std::nextafter(rec.t, infinity<T>)) {
+                    rec.index = j;
+                    expected.push_back(rec);
+                }
+            }
+            std::ranges::stable_sort(expected, {}, &hit_record<T>::t);
+            REQUIRE(std::ranges::equal(tree.all_hits(q.ray, q.t_min, q.t_max), expected, same<T>));
+            std::array<hit_record<T>, 3> few;
+            REQUIRE(tree.nearest_hits(q.ray, q.t_min, q.t_max, few) == std::min<std::size_t>(3, expected.size()));
+            for (std::size_t j = 0; j < std::min<std::size_t>(3, expected.size()); ++j)
+                REQUIRE(same(few[j], expected[j]));
+
+            const auto even = [](const hit_record<T>& rec) { return rec.index % 2 == 0 && !rec.front_face; };
+            const auto first = std::ranges::find_if(expected, even);
+            hit_record<T> rec;
+            REQUIRE(tree.hit(q.ray, q.t_min, q.t_max, rec, even) == (first != expected.end()));
+            REQUIRE(tree.occluded(q.ray, q.t_min, q.t_max, even) == (first != expected.end()));
+            REQUIRE(same(rec, first != expected.end() ? *first : hit_record<T>{}));
+        }
+    }
+}
+
+}  // namespace raio::test

@@ -1,0 +1,335 @@
+#include <raio/compose/transformed.hpp>
+
+#include <memory>
+
+#include <raio/compose/group.hpp>
+
+#include "support/cases.hpp"
+#include "support/spheres.hpp"
+#include "support/triangles.hpp"
+
+namespace raio::test {
+
+/// A shape and its map side by side, so that the shared tests can change any number of both.
+template <class P>
+struct posed {
+    using number = number_t<P>;
+    using T = number;
+
+    P shape;
+    transform<T> map;
+
+    auto placed() const { return transformed(shape, map); }
+    bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return placed().hit(ray, t_min, t_max, rec);
+    }
+    bool occluded(const ray<T>& ray, T t_min, T t_max) const { return placed().occluded(ray, t_min, t_max); }
+    auto spans(const ray<T>& ray) const requires(solid<P>) { return placed().spans(ray); }
+    aabb<T> bounds() const { return placed().bounds(); }
+};
+
+template <class U, class P>
+auto converted(const posed<P>& s) {
+    return posed<decltype(converted<U>(s.shape))>{converted<U>(s.shape), converted<U>(s.map)};
+}
+
+/// Turned any way, stretched by up to a hundred along each axis, mirrored every other time, sheared a little.
+template <class T>
+transform<T> random_map(random_numbers& random, double size, const vec3<double>& place) {
+    transform<double> map = rotation(random.direction(), random.uniform(-3, 3));
+    for (vec3<double>* axis : {&map.x, &map.y, &map.z}) {
+        *axis *= size * random.log_uniform(0.1, 10) * (random.one_in(2) ? -1 : 1);
+        *axis += random.direction() * (size * 0.03);
+    }
+    map.origin = place;
+    map = map * rotation(random.direction(), 1.0);
+    return {vec3<T>(map.x), vec3<T>(map.y), vec3<T>(map.z), vec3<T>(map.origin)};
+}
+
+template <class P>
+struct subject<posed<P>> {
+    using T = number_t<P>;
+    static transform<double> in_double(const transform<T>& m) {
+        return {to_double(m.x), to_double(m.y), to_double(m.z), to_double(m.origin)};
+    }
+
+    static auto fields(auto& s) { return std::tie(s.shape, s.map); }
+    static posed<P> random(random_numbers& random, double size, const vec3<double>& place) {
+        return {subject<P>::random(random, 1, vec3<double>(0)), random_map<T>(random, size, place)};
+    }
+    static vec3<double> inner_point(const posed<P>& s, random_numbers& random) {
+        return in_double(s.map).point(subject<P>::inner_point(s.shape, random));
+    }
+    static vec3<double> special_point(const posed<P>& s, const vec3<double>& from, random_numbers& random) {
+        const transform<double> map = in_double(s.map);
+        const vec3<double> back = linear_inverse<double>(map)(from - map.origin);
+        return map.point(subject<P>::special_point(s.shape, back, random));
+    }
+    /// The distance before the map, times how much the map stretches it: its slope is what goes by the inverse
+    /// transpose. To first order, which is enough beside the surface.
+    static oracle distance(const auto& s, const vec3<oracle>& p) {
+        const linear_inverse<oracle> inverse(s.map);
+        const vec3<oracle> back = inverse(p - s.map.origin);
+        using about = subject<std::remove_cvref_t<decltype(s.shape)>>;
+        const auto at = [&](const vec3<oracle>& q) { return about::distance(s.shape, q); };
+        const oracle h("1e-20"), none(0), here = at(back);
+        const vec3<oracle> slope(at(back + vec3<oracle>(h, none, none)) - here,
+                                 at(back + vec3<oracle>(none, h, none)) - here,
+                                 at(back + vec3<oracle>(none, none, h)) - here);
+        return here * h / length(inverse.transposed(slope));
+    }
+};
+
+/// Keeps the ray that it was asked with.
+template <class T>
+struct listener {
+    using number = T;
+    mutable ray<wider_t<T>> heard;
+
+    bool hit(const ray<T>&, T, T, hit_record<T>&) const { return false; }
+    bool occluded(const ray<T>&, T, T) const { return false; }
+    bool occluded(const ray<wider_t<T>>& ray, T, T) const {
+        heard = ray;
+        return false;
+    }
+};
+
+template <class W>
+vec3<oracle> exactly(const vec3<W>& v) {
+    return {exactly(v.x), exactly(v.y), exactly(v.z)};
+}
+
+/// As check_cases, but for the oracle, which knows no map.
+template <class P>
+void check_image_cases(const std::vector<named_case<posed<P>>>& cases) {
+    using T = number_t<P>;
+    for (const auto& c : cases) {
+        INFO(std::string(c.name));
+        const probe<posed<P>> p{c.shape, c.ray, c.t_min, c.t_max};
+        hit_record<T> rec;
+        const bool hit = p.hit(rec);
+        CHECK(hit == c.expected.hit);
+        if (hit && c.expected.hit) CHECK((rec.t == T(c.expected.t) && rec.front_face == c.expected.front_face));
+        random_numbers random(7);
+        CHECK(unsound_answer(p) == "");
+        CHECK(inconsistent_record(p) == "");
+        CHECK(open_window(p) == "");
+        CHECK(spawned_hit(p, random) == "");
+        if constexpr (solid<P>) CHECK(spans_unlike_hits(p) == "");
+    }
+}
+
+TEST_CASE_TEMPLATE("transformed: named cases", T, float, double) {
+    const sphere<T> unit{{0, 0, 0}, 1};
+    const triangle<T> front{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+    const ray<T> ahead{{0, 0, 9}, {0, 0, -1}};
+    const auto sized = [](T x, T y, T z) { return scaling<T>({x, y, z}); };
+    check_image_cases<sphere<T>>({
+        {"unchanged", {unit, {}}, ahead, enters(8)},
+        {"moved", {unit, translation<T>({0, 0, 3})}, ahead, enters(5)},
+        {"moved, from inside", {unit, translation<T>({0, 0, 9})}, ahead, leaves(1)},
+        {"grown (t changed by a scaled map)", {unit, sized(4, 4, 4)}, ahead, enters(5)},
+        {"grown, direction of length two", {unit, sized(4, 4, 4)}, {{0, 0, 9}, {0, 0, -2}}, enters(2.5)},
+        {"stretched", {unit, sized(1, 1, 8)}, ahead, enters(1)},
+        {"mirrored", {unit, sized(1, 1, -2)}, ahead, enters(7)},
+        {"mirrored, from inside (mirrored maps turn faces inside out)",
+         {unit, sized(-1, 1, 1)},
+         {{0, 0, 0}, {1, 0, 0}},
+         leaves(1)},
+        {"tangent to the stretched one", {unit, sized(8, 1, 1)}, {{8, 0, 9}, {0, 0, -1}}, enters(9)},
+        {"beside the stretched one", {unit, sized(8, 1, 1)}, {{8.5, 0, 9}, {0, 0, -1}}, misses},
+        {"sheared", {unit, {{1, 0, 0}, {0, 1, 0}, {2, 0, 1}}}, {{9, 0, 0}, {-1, 0, 0}}, enters(8)},
+        {"behind the ray", {unit, translation<T>({0, 0, 20})}, ahead, misses},
+        {"flattened: a singular map", {unit, sized(1, 1, 0)}, ahead, misses},
+        {"squashed to a point", {unit, sized(0, 0, 0)}, ahead, misses},
+        {"a map that is not a number", {unit, sized(1, 1, nan<T>)}, ahead, misses},
+        {"moved to infinity", {unit, translation<T>({infinity<T>, 0, 0})}, ahead, misses},
+        {"direction zero", {unit, sized(2, 2, 2)}, {{0, 0, 0}, {0, 0, 0}}, misses},
+        {"window ends at the crossing", {unit, sized(4, 4, 4)}, ahead, enters(5), 0, 5},
+        {"window between the crossings", {unit, sized(4, 4, 4)}, ahead, misses, 6, 12},
+        {"window that is not a number", {unit, {}}, ahead, misses, nan<T>},
+    });
+    check_image_cases<triangle<T>>({
+        {"from the front", {front, sized(3, 3, 1)}, ahead, enters(9)},
+        {"from the back", {front, sized(3, 3, 1)}, {{0, 0, -9}, {0, 0, 1}}, leaves(9)},
+        {"mirrored across its plane: the front looks down", {front, sized(1, 1, -1)}, ahead, leaves(9)},
+        {"mirrored in its plane: the front stays in front", {front, sized(-1, 1, 1)}, ahead, enters(9)},
+        {"on an edge of the stretched one", {front, sized(4, 2, 1)}, {{2, -2, 9}, {0, 0, -1}}, enters(9)},
+        {"in its plane", {front, sized(4, 2, 1)}, {{-9, 0, 0}, {1, 0, 0}}, misses},
+    });
+}
+
+TEST_CASE_TEMPLATE("transformed: normals under uneven scale go by the inverse transpose", T, float, double) {
+    const T eps = std::numeric_limits<T>::epsilon();
+    const transformed ellipsoid{sphere<T>{{0, 0, 0}, 1}, scaling<T>({4, 1, 1})};
+    hit_record<T> rec;
+    REQUIRE(ellipsoid.hit({{2, 9, 0}, {0, -1, 0}}, T(0), infinity<T>, rec));
+    const vec3<T> exact = normalize(vec3<T>(T(0.125), std::sqrt(T(0.75)), 0));  // the slope of x^2 / 16 + y^2
+    CHECK(length(vec3<T>(rec.normal - exact)) < 4 * eps);
+    CHECK(length(vec3<T>(rec.point - vec3<T>(2, std::sqrt(T(0.75)), 0))) < 4 * eps);
+
+    const transformed leaning{plane<T>{{0, 0, 0}, {1, 0, 0}}, transform<T>{{1, 0, 0}, {-1, 1, 0}, {0, 0, 1}}};
+    REQUIRE(leaning.hit({{9, 0, 0}, {-1, 0, 0}}, T(0), infinity<T>, rec));
+    CHECK(length(vec3<T>(rec.normal - vec3<T>(std::sqrt(T(0.5)), std::sqrt(T(0.5)), 0))) < 4 * eps);
+}
+
+TEST_CASE_TEMPLATE("transformed: uv, index and side are the primitive's", T, float, double) {
+    const group pair{sphere<T>{{-2, 0, 0}, 1}, box<T>{{1, -1, -1}, {3, 1, 1}}};
+    const transformed moved{pair, translation<T>({0, 0, 5}) * scaling<T>({2, 2, 2})};
+    hit_record<T> rec, own;
+    REQUIRE(moved.hit({{5, 1, 20}, {0, 0, -4}}, T(0), infinity<T>, rec));
+    REQUIRE(pair.hit({{2.5, 0.5, 7.5}, {0, 0, -2}}, T(0), infinity<T>, own));
+    CHECK((rec.index == 1 && rec.uv == own.uv && rec.t == own.t && rec.front_face && rec.normal == own.normal));
+    CHECK(!moved.hit({{5, 3, 20}, {0, 0, -4}}, T(0), infinity<T>, rec));
+}
+
+TEST_CASE_TEMPLATE("transformed: an instance shares its primitive", T, float, double) {
+    const auto shared = std::make_shared<const sphere<T>>(sphere<T>{{1, 0, 0}, 1});
+    const sphere<T> own = *shared;
+    const transform<T> map = translation<T>({0, 0, 3}) * rotation<T>({1, 2, 3}, 1);
+    const transformed by_value{own, map};
+    const transformed by_pointer{&own, map};
+    const transformed by_shared_pointer{shared, map};
+    CHECK(&by_pointer.primitive() == &own);
+    CHECK(shared.use_count() == 2);
+    const ray<T> ray{{1, 2, 9}, {0, T(-0.2), -1}};
+    hit_record<T> a, b, c;
+    REQUIRE((by_value.hit(ray, T(0), infinity<T>, a) && by_pointer.hit(ray, T(0), infinity<T>, b)));
+    REQUIRE(by_shared_pointer.hit(ray, T(0), infinity<T>, c));
+    CHECK((same_record(a, b) && same_record(a, c)));
+    // Instances are primitives like any other, so that instances of groups of instances work as well.
+    const group pair{by_pointer, transformed{&own, scaling<T>({3, 3, 3})}};
+    const transformed both{&pair, map};
+    CHECK((bounded<decltype(both)> && both.bounds().min.x < 0));
+}
+
+TEST_CASE_TEMPLATE("transformed: maps one after the other are their product", T, float, double) {
+    const transform<T> a = translation<T>({1, 2, 3}) * scaling<T>({1, -2, 4}), b{{0, 2, 0}, {-1, 0, 0}, {0, 1, 1}};
+    const transformed twice{transformed{sphere<T>{{0, 0, 0}, 1}, b}, a};
+    const transformed once{sphere<T>{{0, 0, 0}, 1}, a * b};
+    random_numbers random(13);
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const vec3<double> from = random.direction() * 9.0, to = random.direction() * 2.0 + vec3<double>(1, 2, 3);
+        const ray<T> ray{vec3<T>(from), vec3<T>(to - from)};
+        hit_record<T> r, s;
+        REQUIRE(twice.hit(ray, T(0), infinity<T>, r) == once.hit(ray, T(0), infinity<T>, s));
+        hits += once.occluded(ray, T(0), infinity<T>);
+        REQUIRE(std::abs(r.t - s.t) <= 4 * std::numeric_limits<T>::epsilon() * s.t);
+    }
+    CHECK(hits > 100);
+}
+
+TEST_CASE_TEMPLATE("transformed: bounds of what has no end, or nothing in it", T, float, double) {
+    const transform<T> turn = rotation<T>({0, 0, 1}, T(0.5));
+    const aabb<T> endless = transformed{plane<T>{{0, 0, 0}, {0, 0, 1}}, turn}.bounds();
+    CHECK((endless.contains({T(1e30), T(-1e30), 0}) && endless.min.z == -infinity<T>));
+    const aabb<T> nothing = transformed{group{std::vector<sphere<T>>{}}, turn}.bounds();
+    CHECK(!nothing.contains({0, 0, 0}));
+}
+
+TEST_CASE_TEMPLATE("transformed: properties of every shape", T, float, double) {
+    check_properties<posed<sphere<T>>>();
+    check_properties<posed<triangle<T>>>();
+}
+
+TEST_CASE_TEMPLATE("transformed: the mapped ray is right to 2^-50, or 2^-98 for double", T, float, double) {
+    for_random_probes<posed<sphere<T>>>("mapped ray", 10'000, [](const auto& p, auto&) -> std::string {
+        const transform<oracle> map = converted<oracle>(p.shape.map);
+        const linear_inverse<oracle> inverse(map);
+        const oracle det = dot(map.x, cross(map.y, map.z));
+        if (det == 0) return "";
+        const listener<T> ear{};
+        transformed(&ear, p.shape.map).occluded(p.ray, p.t_min, p.t_max);
+        const vec3<oracle> from = vec3<oracle>(p.ray.origin) - map.origin, along(p.ray.direction);
+        const vec3<oracle> off = abs(exactly(ear.heard.origin) - inverse(from));
+        const vec3<oracle> turn = abs(exactly(ear.heard.direction) - inverse(along));
+        const oracle bound(std::same_as<T, float> ? 0x1p-50 : 0x1p-98);
+        const auto within = [&](const oracle& error, const vec3<oracle>& row, const vec3<oracle>& v) {
+            return error <= bound * length(row) * length(v);
+        };
+        const bool right = within(off.x, inverse.x, from) && within(off.y, inverse.y, from) &&
+                           within(off.z, inverse.z, from) && within(turn.x, inverse.x, along) &&
+                           within(turn.y, inverse.y, along) && within(turn.z, inverse.z, along);
+        return right ? "" : "off";
+    });
+}
+
+/// t against the exact crossing of the exactly mapped ray: within 4 ulp, but for what the rounded ray explains where it
+/// grazes. The normal within 4 roundings, the point within its error.
+template <class P>
+std::string inexact_image(const probe<posed<P>>& p, int& hits, int& grazing) {
+    using T = number_t<P>;
+    hit_record<T> rec;
+    if (!p.hit(rec)) return "";
+    ++hits;
+    const transform<oracle> map = converted<oracle>(p.shape.map);
+    const linear_inverse<oracle> inverse(map);
+    const vec3<oracle> from = vec3<oracle>(p.ray.origin) - map.origin, along(p.ray.direction);
+    const ray<oracle> back{inverse(from), inverse(along)};
+    const auto shape = converted<oracle>(p.shape.shape);
+    const oracle ulp(std::nextafter(std::abs(rec.t), infinity<T>) - std::abs(rec.t));
+    const listener<T> ear{};
+    transformed(&ear, p.shape.map).occluded(p.ray, p.t_min, p.t_max);
+    const std::vector computed = all_crossings<double_double>(p.shape.shape, detail::rounded<T>(ear.heard));
+    const std::vector crossings = all_crossings<oracle>(shape, back);
+    std::string wrong = "false hit";
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        crossing<oracle> c = crossings[i];
+        if (!c.exists || c.entering != rec.front_face) continue;
+        // How far the rounded ray strays moves the crossing along the ray, the farther the more it grazes.
+        hit_record<oracle> exact, strayed;
+        shape.surface(back, c, exact);
+        const oracle facing = abs(dot(exact.normal, normalize(back.direction)));
+        const oracle bound(std::same_as<T, float> ? 0x1p-48 : 0x1p-96);
+        const vec3<oracle> path = abs(from) + abs(along * c.t);
+        const vec3<oracle> off_ray(dot(abs(inverse.x), path), dot(abs(inverse.y), path), dot(abs(inverse.z), path));
+        const oracle excuse = bound * length(off_ray) / (facing * length(back.direction)) + exactly(computed[i].error);
+        wrong = "t = " + literal(rec.t) + " for " + literal(rounded<T>(c.t));
+        if (abs(c.t - oracle(rec.t)) > 4 * ulp + excuse) continue;
+        if (excuse > ulp) {
+            ++grazing;
+            return "";
+        }
+        const vec3<oracle> off = abs(vec3<oracle>(p.ray.origin) + along * c.t - vec3<oracle>(rec.point));
+        c.t += excuse;
+        shape.surface(back, c, strayed);
+        const vec3<oracle> normal = normalize(inverse.transposed(exact.normal));
+        const oracle explained = length(normal - normalize(inverse.transposed(strayed.normal)));
+        const oracle turned = length(normal - vec3<oracle>(rec.normal));
+        if (turned > 4 * oracle(std::numeric_limits<T>::epsilon()) + explained) {
+            return "normal off by " + literal(rounded<T>(turned));
+        }
+        const auto beyond = [&](const oracle& distance, T error, const oracle& direction) {
+            return distance > oracle(error) + excuse * abs(direction);
+        };
+        if (beyond(off.x, rec.error.x, along.x) || beyond(off.y, rec.error.y, along.y) ||
+            beyond(off.z, rec.error.z, along.z)) {
+            return "point off";
+        }
+        return "";
+    }
+    return wrong;
+}
+
+template <class P>
+void check_image() {
+    int hits = 0, grazing = 0, complaints = 0;
+    random_numbers random(12);
+    for (int i = 0; i < 20'000; ++i) {
+        const auto p = scattered_probe<posed<P>>(random);
+        const std::string wrong = inexact_image(p, hits, grazing);
+        if (!wrong.empty() && ++complaints <= 3) FAIL_CHECK(wrong << "\n    {" << literal(p) << "}");
+    }
+    MESSAGE(hits << " hits, " << grazing << " of them graze");
+    CHECK(complaints == 0);
+    CHECK(hits > 5'000);
+    CHECK(grazing < hits / 4);  // mostly rays from the surface itself, whose t is next to nothing
+}
+
+TEST_CASE_TEMPLATE("transformed: as exact arithmetic", T, float, double) {
+    check_image<sphere<T>>();
+    check_image<triangle<T>>();
+}
+
+}  // namespace raio::test

@@ -1,0 +1,89 @@
+#include <string>
+#include <string_view>
+
+#include <doctest/doctest.h>
+#include <render/mesh.hpp>
+#include <render/tokens.hpp>
+#include <render/world.hpp>
+
+#include "reader_text.hpp"
+
+using namespace render;
+
+namespace {
+
+std::string error_of(std::string_view text) {
+    try {
+        parse_mesh(text, "test.obj");
+    } catch (const scene_error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+constexpr std::string_view four_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+}  // namespace
+
+TEST_CASE("the faces of a mesh are triangles, and larger ones fans") {
+    for (const char* face : {"f 1 2 3 4", "f 1/1 2/2 3/3 4/4\n", "f 1//9 2//9 3//9 4//9\r\n",
+                             "f 1/1/1 2/1/1 3/1/1 4/1/1", "f -4 -3 -2 -1", "  f\t1 2\t3 4  ", "f 1 2 3\nf 1 3 4"}) {
+        CAPTURE(face);
+        const auto triangles = parse_mesh(std::string(four_vertices) + face, "test.obj");
+        REQUIRE(triangles.size() == 2);
+        CHECK(triangles[0].b == vec3(1, 0, 0));
+        CHECK(triangles[0].c == vec3(1, 1, 0));
+        CHECK(triangles[1].a == vec3(0, 0, 0));
+        CHECK(triangles[1].c == vec3(0, 1, 0));
+    }
+}
+
+TEST_CASE("what else a mesh says is passed over, and its numbers are the nearest doubles") {
+    const auto triangles = parse_mesh(
+        "# a comment\nmtllib none.mtl\no name\nv 0.1 1e-7 -.3 1 0.5 0.5 0.5\nvn 0 0 1\nvt 0 0\n"
+        "v 1 0 0\n\ns off\nusemtl none\ng group\nv 0 1 0\nf 1 2 3\nl 1 2",
+        "test.obj");
+    REQUIRE(triangles.size() == 1);
+    CHECK(triangles[0].a == vec3(0.1, 1e-7, -0.3));
+}
+
+TEST_CASE("a wrong mesh is named with its line") {
+    struct {
+        std::string name, text, message;
+    } const rows[] = {
+        {"nothing", "", "1: found no face, expected a Wavefront OBJ file with faces"},
+        {"no face", std::string(four_vertices), "4: found no face, expected a Wavefront OBJ file with faces"},
+        {"a word", "v 0 0 0\nv 1 y 0\n", "2: found 'y', expected a number for a coordinate of a vertex"},
+        {"two coordinates", "\nv 0 0\nv 0 0 0\n",
+         "2: found the end of the line, expected three coordinates of a vertex"},
+        {"infinity", "v inf 0 0", "1: found 'inf', expected a number for a coordinate of a vertex"},
+        {"two corners", "v 0 0 0\nf 1 1", "2: found a face with fewer than three corners, expected three or more"},
+        {"a corner too far", "v 0 0 0\nf 1 1 2",
+         "2: found a face with the corner 2, expected the number of one of the 1 vertices above"},
+        {"a corner too far back", "v 0 0 0\nf 1 1 -2",
+         "2: found a face with the corner -2, expected the number of one of the 1 vertices above"},
+        {"a word for a corner", "v 0 0 0\nf 1 1 one",
+         "2: found a face with the corner 0, expected the number of one of the 1 vertices above"},
+        {"bytes", std::string("\0\xff\x01 f 1 2", 9), "1: found no face, expected a Wavefront OBJ file with faces"},
+    };
+    for (const auto& row : rows) {
+        CAPTURE(row.name);
+        CHECK(error_of(row.text) == "test.obj:" + row.message);
+    }
+    CHECK_THROWS_WITH(read_mesh("none.obj"), "none.obj:1: found no such file, expected a Wavefront OBJ file");
+}
+
+TEST_CASE("a mesh is one object of the file and as many of the scene as it has triangles") {
+    const scene s = read({.objects = "2  0 0 mesh square.obj  10 0 0  2   0 0 sphere 0 0 0 1"});
+    REQUIRE(s.objects.size() == 3);
+    const auto& triangle = std::get<raio::triangle<number>>(s.objects[1].shape);
+    CHECK(triangle.a == vec3(10, 0, 0));
+    CHECK(triangle.b == vec3(12, 2, 0));
+    CHECK(std::holds_alternative<raio::sphere<number>>(s.objects[2].shape));
+
+    const world world(s);
+    hit_record rec;
+    REQUIRE(world.hit({{10.5, 1, 5}, {0, 0, -1}}, 0, raio::infinity<number>, rec));
+    CHECK(rec.t == 5);
+    CHECK(rec.index == 2);  // behind the sphere and the other triangle
+}

@@ -1,0 +1,239 @@
+#include <raio/math/polynomial.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "support/dual.hpp"
+#include "support/oracle.hpp"
+#include "support/random.hpp"
+
+namespace raio::test {
+
+inline oracle exactly(const oracle& x) { return x; }
+
+/// The nearest W.
+template <class W>
+W nearest(const oracle& x) {
+    if constexpr (std::same_as<W, oracle>) {
+        return x;
+    } else {
+        const double high = rounded<double>(x);
+        if constexpr (!std::same_as<W, double_double>) return W(high);
+        return W(high) + W(rounded<double>(x - oracle(high)));
+    }
+}
+
+/// The product of `leading` and all t - root, each coefficient rounded to W.
+template <class W, std::size_t N>
+polynomial<W, N> with_roots(const oracle& leading, const std::vector<oracle>& roots) {
+    std::array<oracle, N + 1> product{};
+    product[0] = leading;
+    for (std::size_t degree = 0; degree < roots.size(); ++degree) {
+        for (std::size_t k = degree + 1; k > 0; --k) product[k] = product[k - 1] - roots[degree] * product[k];
+        product[0] *= -roots[degree];
+    }
+    polynomial<W, N> p;
+    for (std::size_t k = 0; k <= N; ++k) {
+        p.coefficient[k] = nearest<W>(product[k]);
+        const oracle off = abs(product[k] - exactly(p.coefficient[k]));
+        p.error[k] = bound_t<W>(nearest<bound_t<W>>(off * 2));
+    }
+    return p;
+}
+
+/// What is wrong with the roots that were found of a polynomial with these.
+template <std::size_t N, class W>
+std::string wrong_roots(const polynomial_roots<W, N>& found, std::vector<oracle> roots, const oracle& low,
+                        const oracle& high) {
+    std::sort(roots.begin(), roots.end());
+    std::erase_if(roots, [&](const oracle& root) { return root < low || root > high; });
+    const auto& places = found.places;
+    for (std::size_t i = 0; i + 1 < found.count; ++i) {
+        if (!(places[i].t <= places[i + 1].t)) return "not in order";
+    }
+    if (found.certain && found.count != roots.size()) return "certain of a wrong number of roots";
+    std::size_t meant = 0;
+    for (std::size_t i = 0; i < found.count; ++i) {
+        const oracle t = exactly(places[i].t), error = exactly(places[i].error);
+        if (t < low || t > high) return "beyond the interval";
+        std::size_t near = 0;
+        for (const oracle& root : roots) near += abs(root - t) <= error;
+        if (places[i].before * places[i].after < 0 && near == 0) return "off by more than its error";
+        
+    }
+    for (const oracle& root : roots) {
+        for (std::size_t i = 0; i < found.count; ++i) {
+            if (abs(root - exactly(places[i].t)) <= exactly(places[i].error)) {
+                ++meant;
+                break;
+            }
+        }
+    }
+    return meant == roots.size() ? "" : "lost " + std::to_string(roots.size() - meant) + " roots";
+}
+
+template <class W, std::size_t N>
+polynomial_roots<W, N> found_roots(const std::vector<oracle>& roots, double low, double high) {
+    const polynomial_roots<W, N> found = roots_between(with_roots<W, N>(oracle(1), roots), W(low), W(high));
+    CHECK(wrong_roots<N, W>(found, roots, oracle(low), oracle(high)) == "");
+    return found;
+}
+
+TEST_CASE_TEMPLATE("polynomial: roots far apart are certain, and each is found", W, strict_double, double_double,
+                   oracle) {
+    CHECK(found_roots<W, 1>({3}, -10, 10).certain);
+    CHECK(found_roots<W, 2>({-3, 3}, -10, 10).certain);
+    CHECK(found_roots<W, 3>({-3, 0.5, 3}, -10, 10).certain);
+    CHECK(found_roots<W, 4>({-3, -1, 2, 7}, -10, 10).certain);
+    CHECK(found_roots<W, 8>({-9, -7, -5, -3, 1, 2, 4, 8}, -10, 10).certain);
+    CHECK(found_roots<W, 4>({-3, -1, 2, 7}, 0, 5).count == 1);
+    CHECK(found_roots<W, 4>({-3, -1, 2, 7}, 3, 5).count == 0);
+    CHECK(found_roots<W, 4>({-3, -1, 2, 7}, 3, 5).certain);
+}
+
+TEST_CASE_TEMPLATE("polynomial: of no degree that it could have", W, strict_double, double_double, oracle) {
+    CHECK(found_roots<W, 4>({-3, 5}, -10, 10).count == 2);
+    CHECK(found_roots<W, 8>({-3, 0, 5}, -10, 10).count == 3);
+    CHECK(found_roots<W, 2>({5}, -10, 10).count == 1);
+    CHECK(found_roots<W, 4>({}, -10, 10).count == 0);
+    CHECK(found_roots<W, 1>({}, -10, 10).certain);
+}
+
+TEST_CASE_TEMPLATE("polynomial: no roots", W, strict_double, double_double, oracle) {
+    const polynomial<W, 2> above{{W(1), W(0), W(1)}};
+    CHECK(roots_between(above, W(-10), W(10)).count == 0);
+    CHECK(roots_between(above, W(-10), W(10)).certain);
+    const polynomial<W, 4> quartic{{W(1), W(0), W(-1), W(0), W(1)}};
+    CHECK(roots_between(quartic, W(-10), W(10)).count == 0);
+    CHECK(roots_between(quartic, W(-10), W(10)).certain);
+}
+
+TEST_CASE_TEMPLATE("polynomial: roots of higher multiplicity are places that are not certain", W, strict_double,
+                   double_double, oracle) {
+    const double wide = 1e-6;
+    const auto of_two = found_roots<W, 4>({-2, 3, 3, 5}, -10, 10);
+    CHECK(of_two.count == 3);
+    CHECK(!of_two.certain);
+    CHECK((of_two.places[1].before == -1 && of_two.places[1].after == -1));
+    CHECK((of_two.places[0].before == 1 && of_two.places[0].after == -1));
+    CHECK(of_two.places[1].error < bound_t<W>(wide));
+    // An extremum is as sharp as any root.
+    CHECK(abs(exactly(of_two.places[1].t) - 3) < oracle(64 * unit_roundoff<W>));
+
+    const auto of_three = found_roots<W, 4>({-2, 3, 3, 3}, -10, 10);
+    CHECK(of_three.count == 2);
+    CHECK((of_three.places[1].before == -1 && of_three.places[1].after == 1));
+
+    const auto two_of_two = found_roots<W, 4>({-2, -2, 3, 3}, -10, 10);
+    CHECK(two_of_two.count == 2);
+    CHECK((two_of_two.places[0].after == 1 && two_of_two.places[1].before == 1 && two_of_two.places[1].after == 1));
+
+    CHECK(found_roots<W, 8>({3, 3, 3, 3, 3, 3, 3, 3}, -10, 10).count == 1);
+    CHECK(found_roots<W, 4>({0, 0, 0, 0}, -10, 10).count == 1);
+    CHECK(found_roots<W, 2>({0, 0}, -10, 10).places[0].t == W(0));
+}
+
+TEST_CASE_TEMPLATE("polynomial: a root at the end of the interval is not certain", W, strict_double, double_double) {
+    CHECK(!found_roots<W, 4>({-3, -1, 2, 7}, -1, 5).certain);
+    CHECK(!found_roots<W, 4>({-3, -1, 2, 7}, -2, 7).certain);
+}
+
+/// Roots that are spread evenly, in clusters, equal, or over 24 orders of magnitude.
+template <std::size_t N>
+std::vector<oracle> random_roots(random_numbers& random) {
+    std::vector<oracle> roots;
+    const int kind = random.integer(0, 4);
+    const double apart = random.log_uniform(1e-12, 1e-1);
+    for (std::size_t n = static_cast<std::size_t>(random.integer(0, N)); roots.size() < n;) {
+        if (kind >= 2 && !roots.empty() && random.one_in(2)) {
+            roots.push_back(kind == 2 ? roots.back() : roots.back() + random.uniform(-apart, apart));
+        } else {
+            const double sign = random.one_in(2) ? -1 : 1;
+            roots.push_back(oracle(kind == 1 ? sign * random.log_uniform(1e-12, 1e12) : random.uniform(-10, 10)));
+        }
+    }
+    return roots;
+}
+
+template <class W, std::size_t N>
+void check_random_roots(int count, int least_certain) {
+    random_numbers random(N);
+    int complaints = 0, certain = 0;
+    for (int i = 0; i < count; ++i) {
+        const std::vector<oracle> roots = random_roots<N>(random);
+        const double high = random.log_uniform(1, 1e13), low = random.one_in(2) ? -high : random.uniform(-5, 0.5);
+        const auto p = with_roots<W, N>(oracle(random.log_uniform(1e-3, 1e3)), roots);
+        const polynomial_roots<W, N> found = roots_between(p, W(low), W(high));
+        certain += found.certain;
+        const std::string wrong = wrong_roots<N, W>(found, roots, oracle(low), oracle(high));
+        if (wrong.empty() || ++complaints > 3) continue;
+        std::string text;
+        for (const oracle& root : roots) text += ' ' + root.str(20);
+        FAIL_CHECK("degree " << N << ": " << wrong << ", [" << low << ", " << high << "]:" << text);
+    }
+    CHECK(complaints == 0);
+    MESSAGE("degree " << N << ": " << certain << " of " << count << " certain");
+    CHECK(certain > count * least_certain / 100);
+}
+
+TEST_CASE("polynomial: no root is lost or invented, and each is as near as is said") {
+    const int count = normal_run / 10;
+    check_random_roots<strict_double, 2>(count, 50);
+    check_random_roots<strict_double, 3>(count, 50);
+    check_random_roots<strict_double, 4>(count, 50);
+    check_random_roots<strict_double, 8>(count, 20);
+    check_random_roots<double_double, 2>(count / 4, 50);
+    check_random_roots<double_double, 3>(count / 4, 50);
+    check_random_roots<double_double, 4>(count / 4, 50);
+    check_random_roots<double_double, 8>(count / 4, 20);
+}
+
+TEST_CASE("polynomial: the error of a value is bounded") {
+    random_numbers random(3);
+    for (int i = 0; i < 20'000; ++i) {
+        polynomial<strict_double, 4> p;
+        for (strict_double& c : p.coefficient) c = random.uniform(-1, 1);
+        const double t = random.uniform(-2, 2);
+        oracle exact = 0;
+        for (std::size_t k = 5; k-- > 0;) exact = exact * t + exactly(p.coefficient[k]);
+        REQUIRE(abs(exactly(p(t)) - exact) <= exactly(p.noise()(std::abs(t))));
+    }
+}
+
+TEST_CASE("polynomial: the derivatives of a root, by a number that carries them along") {
+    // t^2 - a t + b at a = 7, b = 12: the roots 3 and 4.
+    const dual a = dual::variable(7, 0), b = dual::variable(12, 1);
+    const auto found = roots_between(polynomial<dual, 2>{{b, -a, dual(1)}}, dual(0), dual(10));
+    REQUIRE(found.count == 2);
+    CHECK(found.places[0].t.value == doctest::Approx(3));
+    CHECK(found.places[0].t.slope[0] == doctest::Approx(-3));  // t / (2 t - a)
+    CHECK(found.places[0].t.slope[1] == doctest::Approx(1));   // -1 / (2 t - a)
+    CHECK(found.places[1].t.slope[0] == doctest::Approx(4));
+    CHECK(found.places[1].t.slope[1] == doctest::Approx(-1));
+}
+
+TEST_CASE_TEMPLATE("polynomial: what is not finite has no roots, and that is not certain", W, strict_double,
+                   double_double) {
+    const double huge = 1e308, none = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {infinity<double>, none, huge}) {
+        for (std::size_t place = 0; place < 3; ++place) {
+            polynomial<W, 2> p{{W(-1), W(0), W(1)}};
+            p.coefficient[place] = W(bad);
+            const auto found = roots_between(p, W(-10), W(10));
+            CHECK((found.count == 0 && !found.certain));
+        }
+    }
+    const polynomial<W, 2> p{{W(-1), W(0), W(1)}};
+    CHECK(roots_between(p, W(none), W(10)).count == 0);
+    CHECK(roots_between(p, W(1), W(-1)).count == 0);
+    CHECK(roots_between(p, W(-10), W(infinity<double>)).count == 0);
+}
+
+#if defined(__GNUC__) && !defined(__clang__)  // whose square root is constexpr
+constexpr auto cubic = roots_between(polynomial<double_double, 3>{{0, -1, 0, 1}}, double_double(-2), double_double(2));
+static_assert(cubic.certain && cubic.count == 3);
+#endif
+
+}  // namespace raio::test

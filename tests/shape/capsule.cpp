@@ -1,0 +1,129 @@
+#include <raio/shape/capsule.hpp>
+
+#include "support/cases.hpp"
+#include "support/sampling.hpp"
+
+namespace raio::test {
+
+template <class T>
+struct subject<capsule<T>> {
+    static auto fields(auto& s) { return std::tie(s.base, s.top, s.radius); }
+
+    /// One in eight is a sphere.
+    static capsule<T> random(random_numbers& random, double size, const vec3<double>& place) {
+        const double height = random.one_in(8) ? 0 : size * random.log_uniform(0.1, 10);
+        return {vec3<T>(place), vec3<T>(place + random.direction() * height),
+                static_cast<T>(size * random.log_uniform(0.1, 1))};
+    }
+    static vec3<double> inner_point(const capsule<T>& s, random_numbers& random) {
+        const vec3<double> base = to_double(s.base), on_axis = base + (to_double(s.top) - base) * random.uniform();
+        return on_axis + random.direction() * (random.uniform(0, 0.99) * static_cast<double>(s.radius));
+    }
+    /// On a seam, on the axis, at a pole, or on the silhouette of one of the spheres inside.
+    static vec3<double> special_point(const capsule<T>& s, const vec3<double>& from, random_numbers& random) {
+        const vec3<double> base = to_double(s.base), axis = to_double(s.top) - base;
+        const double r = static_cast<double>(s.radius), size = length(axis);
+        const vec3<double> center = base + axis * (random.one_in(2) ? random.integer(0, 1) : random.uniform());
+        const vec3<double> to_center = center - from;
+        const double sine = r / length(to_center);
+        switch (random.integer(0, 3)) {
+            case 0:
+                if (size > 0) return center + random.perpendicular(axis) * r;
+                [[fallthrough]];
+            case 1:
+                return center;
+            case 2:
+                if (size > 0) return base - axis * (r / size);
+                [[fallthrough]];
+            default:
+                if (!(sine < 1)) return center;
+                return center - to_center * (sine * sine) +
+                       random.perpendicular(to_center) * (r * std::sqrt(1 - sine * sine));
+        }
+    }
+    static oracle distance(const capsule<oracle>& s, const vec3<oracle>& p) {
+        const vec3<oracle> axis = s.top - s.base, from_base = p - s.base;
+        const oracle size2 = dot(axis, axis);
+        const oracle along = size2 > 0 ? oracle(dot(from_base, axis) / size2) : oracle(0);
+        return length(vec3<oracle>(from_base - axis * max(oracle(0), min(oracle(1), along)))) - s.radius;
+    }
+    static capsule<oracle> grown(capsule<oracle> s) {
+        s.radius *= 1 + oracle(1e-40);
+        return s;
+    }
+};
+
+TEST_CASE_TEMPLATE("capsule: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const capsule<T> unit{{0, -1, 0}, {0, 1, 0}, 1}, wide{{0, 0, 0}, {0, 0, 4}, 5};
+    const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
+    check_cases<capsule<T>>({
+        {"the side", unit, ahead, enters(4)},
+        {"the side, off the axis", wide, {{-10, 3, 1}, {1, 0, 0}}, enters(6)},
+        {"behind the ray", unit, {{0, 0, 5}, {0, 0, 1}}, misses},
+        {"from inside to the side", unit, {{0, 0.5, 0}, {1, 0, 0}}, leaves(1)},
+        {"from inside to the pole", unit, {{0, 0.5, 0}, {0, 1, 0}}, leaves(1.5)},
+        {"the pole, along the axis", unit, {{0, 5, 0}, {0, -1, 0}}, enters(3)},
+        {"the lower pole, along the axis", unit, {{0, -5, 0}, {0, 1, 0}}, enters(3)},
+        {"in at one pole, out at the other", unit, {{0, 5, 0}, {0, -1, 0}}, leaves(7), 3.5},
+        {"a round end, parallel to the axis", wide, {{3, 0, 99}, {0, 0, -1}}, enters(91)},
+        {"a round end, across the axis", wide, {{-9, 0, 8}, {1, 0, 0}}, enters(6)},
+        {"across the middle of an end, inside the sphere of the other", wide, {{-9, 0, 4}, {1, 0, 0}}, enters(4)},
+        {"on the seam", unit, {{5, 1, 0}, {-1, 0, 0}}, enters(4)},
+        {"on the seam, obliquely", unit, {{3, 3, 0}, {-1, -1, 0}}, enters(2)},
+        {"in through an end, out through the side", unit, {{-1, 3, 0}, {1, -1, 0}}, leaves(2), 1.5},
+        {"parallel to the axis, outside", unit, {{2, 5, 0}, {0, -1, 0}}, misses},
+        {"parallel to the axis, in the surface", unit, {{1, 5, 0}, {0, -1, 0}}, enters(4)},
+        {"parallel to the axis, one number beyond the surface", unit, {{1 + eps, 5, 0}, {0, -1, 0}}, misses},
+        {"tangent to the side", unit, {{1, 0, 5}, {0, 0, -1}}, enters(5)},
+        {"one number beyond the tangent", unit, {{1 + eps, 0, 5}, {0, 0, -1}}, misses},
+        {"tangent to the pole", unit, {{-5, 2, 0}, {1, 0, 0}}, enters(5)},
+        {"over the pole", unit, {{-5, 2 + 2 * eps, 0}, {1, 0, 0}}, misses},
+        {"from the side inwards", unit, {{1, 0, 0}, {-1, 0, 0}}, enters(0)},
+        {"from the side outwards", unit, {{1, 0, 0}, {1, 0, 0}}, leaves(0)},
+        {"base is top: a sphere", {{0, 0, 0}, {0, 0, 0}, 1}, ahead, enters(4)},
+        {"base and top exchanged", {{0, 1, 0}, {0, -1, 0}, 1}, {{0, 5, 0}, {0, -1, 0}}, enters(3)},
+        {"radius zero", {{0, -1, 0}, {0, 1, 0}, 0}, ahead, misses},
+        {"radius below zero", {{0, -1, 0}, {0, 1, 0}, -1}, ahead, misses},
+        {"direction zero", unit, {{0, 0, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", unit, ahead, leaves(6), 4.5},
+        {"window between the crossings", unit, ahead, misses, 4.5, 5.5},
+        {"window that is not a number", unit, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("capsule: properties of every shape", T, float, double) { check_properties<capsule<T>>(); }
+
+TEST_CASE_TEMPLATE("capsule: as exact arithmetic", T, float, double) {
+    check_oracle<capsule<T>>();
+    check_accuracy<capsule<T>>(normal_run);
+    check_bounds_of_errors<capsule<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("capsule: area, and samples spread evenly over it", T, float, double) {
+    const capsule<T> pill{{1, 2, 3}, {3, 3, 5}, 2};  // 3 + 2 * 2 high
+    CHECK(pill.area() == doctest::Approx(28 * std::numbers::pi));
+    check_sampling(pill, [](const hit_record<T>& rec) { return rec.uv; });
+    check_sampling(capsule<T>{{1, 2, 3}, {1, 2, 3}, 2}, [](const hit_record<T>& rec) { return rec.uv; });
+}
+
+TEST_CASE_TEMPLATE("capsule: uv", T, float, double) {
+    const capsule<T> pill{{0, 0, 0}, {0, 0, 2}, 1};
+    const auto v = [&](const ray<T>& ray) {
+        hit_record<T> rec;
+        REQUIRE(pill.hit(ray, T(0), infinity<T>, rec));
+        return rec.uv.y;
+    };
+    CHECK(v({{0, 0, -9}, {0, 0, 1}}) == T(0));
+    CHECK(v({{9, 0, 0}, {-1, 0, 0}}) == T(0.25));
+    CHECK(v({{9, 0, 1}, {-1, 0, 0}}) == T(0.5));
+    CHECK(v({{9, 0, 2}, {-1, 0, 0}}) == T(0.75));
+    CHECK(v({{0, 0, 9}, {0, 0, -1}}) == T(1));
+}
+
+TEST_CASE_TEMPLATE("capsule: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<capsule<T>>(nightly_run);
+}
+
+}  // namespace raio::test

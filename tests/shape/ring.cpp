@@ -1,0 +1,113 @@
+#include <raio/shape/ring.hpp>
+
+#include "support/cases.hpp"
+#include "support/sampling.hpp"
+
+namespace raio::test {
+
+template <class T>
+struct subject<ring<T>> {
+    static auto fields(auto& s) { return std::tie(s.center, s.normal, s.inner_radius, s.outer_radius); }
+
+    /// One in four is as thin as a wire, one in four has no hole.
+    static ring<T> random(random_numbers& random, double size, const vec3<double>& place) {
+        const double inner = random.one_in(4) ? 0.999 : random.one_in(3) ? 0 : random.uniform(0, 0.9);
+        return {vec3<T>(place), vec3<T>(random.direction() * random.uniform(0.5, 2)), static_cast<T>(size * inner),
+                static_cast<T>(size)};
+    }
+    static vec3<double> at(const ring<T>& s, double across, random_numbers& random) {
+        const double inner = static_cast<double>(s.inner_radius), outer = static_cast<double>(s.outer_radius);
+        return to_double(s.center) + random.perpendicular(to_double(s.normal)) * (inner + across * (outer - inner));
+    }
+    static vec3<double> inner_point(const ring<T>& s, random_numbers& random) {
+        return at(s, random.uniform(0.01, 0.99), random);
+    }
+    /// On one of the rims, or in the centre.
+    static vec3<double> special_point(const ring<T>& s, const vec3<double>&, random_numbers& random) {
+        return random.one_in(4) ? to_double(s.center) : at(s, random.integer(0, 1), random);
+    }
+    static oracle distance(const ring<oracle>& s, const vec3<oracle>& p) {
+        const vec3<oracle> from_center = p - s.center;
+        const oracle height = abs(dot(s.normal, from_center)) / length(s.normal), rho = length(from_center);
+        return max(height, oracle(max(oracle(rho - s.outer_radius), oracle(s.inner_radius - rho))));
+    }
+    static ring<oracle> grown(ring<oracle> s) {
+        if (!(s.outer_radius > s.inner_radius)) return s;  // nothing at all
+        s.outer_radius *= 1 + oracle(1e-40);
+        s.inner_radius *= 1 - oracle(1e-40);
+        return s;
+    }
+};
+
+TEST_CASE_TEMPLATE("ring: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const ring<T> unit{{0, 0, 0}, {0, 0, 1}, 0.5, 1}, large{{0, 0, 0}, {0, 0, 1}, 5, 13};
+    const ray<T> ahead{{0.75, 0, 5}, {0, 0, -1}}, through{{0, 0, 5}, {0, 0, -1}};
+    check_cases<ring<T>>({
+        {"from the front", unit, ahead, enters(5)},
+        {"from the back", unit, {{0, 0.75, -5}, {0, 0, 1}}, leaves(5)},
+        {"behind the ray", unit, {{0.75, 0, 5}, {0, 0, 1}}, misses},
+        {"through the hole", unit, through, misses},
+        {"through the hole, off the centre", unit, {{0.25, 0.25, 5}, {0, 0, -1}}, misses},
+        {"beside the ring", unit, {{1, 1, 5}, {0, 0, -1}}, misses},
+        {"on the outer rim", unit, {{1, 0, 5}, {0, 0, -1}}, enters(5)},
+        {"on the inner rim", unit, {{0, 0.5, 5}, {0, 0, -1}}, enters(5)},
+        {"on the outer rim, between the axes", large, {{5, -12, 5}, {-0.0, 0, -1}}, enters(5)},
+        {"on the inner rim, between the axes", large, {{3, -4, 5}, {-0.0, 0, -1}}, enters(5)},
+        {"on the inner rim, where t is a third",
+         {{0, 0, 0}, {0, 0, 1}, 3, 4},
+         {{0, 0, 1}, {9, 0, -3}},
+         enters(1.0 / 3)},
+        {"one number beyond the outer rim", unit, {{1 + eps, 0, 5}, {0, 0, -1}}, misses},
+        {"one number within the inner rim", unit, {{T(0.5) - eps / 4, 0, 5}, {0, 0, -1}}, misses},
+        {"one number beyond the inner rim", unit, {{T(0.5) + eps / 2, 0, 5}, {0, 0, -1}}, enters(5)},
+        {"inner radius zero: a disc, its centre", {{0, 0, 0}, {0, 0, 1}, 0, 1}, through, enters(5)},
+        {"inner radius zero, beside the centre", {{0, 0, 0}, {0, 0, 1}, 0, 1}, ahead, enters(5)},
+        {"inner radius like the outer one", {{0, 0, 0}, {0, 0, 1}, 0.75, 0.75}, ahead, misses},
+        {"inner radius above the outer one", {{0, 0, 0}, {0, 0, 1}, 1, 0.5}, ahead, misses},
+        {"inner radius below zero", {{0, 0, 0}, {0, 0, 1}, -1, 1}, ahead, misses},
+        {"both radii zero", {{0, 0, 0}, {0, 0, 1}, 0, 0}, through, misses},
+        {"in its plane", unit, {{-5, 0, 0}, {1, 0, 0}}, misses},
+        {"in its plane, from inside", unit, {{0.75, 0, 0}, {1, 0, -0.0}}, misses},
+        {"parallel to its plane", unit, {{-5, 0, 1}, {1, 0, 0}}, misses},
+        {"from a point of the ring", unit, {{0.75, 0, 0}, {0, 1, 1}}, leaves(0)},
+        {"normal of length 1e20", {{0, 0, 0}, {0, 0, 0x1p66}, 0.5, 1}, ahead, enters(5)},
+        {"normal of length 1e-20", {{0, 0, 0}, {0, 0, 0x1p-66}, 0.5, 1}, ahead, enters(5)},
+        {"normal zero", {{0, 0, 0}, {0, 0, 0}, 0.5, 1}, ahead, misses},
+        {"direction zero", unit, {{0.75, 0, 0}, {0, 0, 0}}, misses},
+        {"window ends at the crossing", unit, ahead, enters(5), 0, 5},
+        {"window that is not a number", unit, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("ring: properties of every shape", T, float, double) { check_properties<ring<T>>(); }
+
+TEST_CASE_TEMPLATE("ring: as exact arithmetic", T, float, double) {
+    check_oracle<ring<T>>();
+    check_accuracy<ring<T>>(normal_run);
+    check_bounds_of_errors<ring<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("ring: area, and samples spread evenly over it", T, float, double) {
+    const ring<T> flat{{5, -4, 3}, {1, -2, 2}, 1, 3};
+    CHECK(flat.area() == doctest::Approx(8 * std::numbers::pi));
+    check_sampling(flat, [](const hit_record<T>& rec) {
+        const T rho = 1 + 2 * rec.uv.y;
+        return vec2<T>(rec.uv.x, (rho * rho - 1) / 8);
+    });
+}
+
+TEST_CASE_TEMPLATE("ring: uv", T, float, double) {
+    hit_record<T> rec;
+    const ring<T> flat{{1, 1, 0}, {0, 0, 1}, 2, 4};
+    for (const auto& [x, v] : {std::pair<T, T>{3, 0}, {4, 0.5}, {5, 1}}) {
+        REQUIRE(flat.hit({{x, 1, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
+        CHECK((rec.uv.y == v && rec.uv.x == T(0)));
+    }
+}
+
+TEST_CASE_TEMPLATE("ring: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+    check_accuracy<ring<T>>(nightly_run);
+}
+
+}  // namespace raio::test

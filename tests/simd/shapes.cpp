@@ -1,0 +1,32 @@
+#include "support/boxes.hpp"
+#include "support/cylinders.hpp"
+#include "support/discs.hpp"
+#include "support/packs.hpp"
+#include "support/planes.hpp"
+#include "support/polyhedra.hpp"
+#include "support/spheres.hpp"
+#include "support/triangles.hpp"
+
+namespace raio::test {
+
+/// Ordinary rays leave less than one verdict in a hundred open; of boxes one in four is flat, and a hit there is a tie.
+template <class Shape>
+void check_packs(double may_be_left_open = 0.01) {
+    using P = pack<number_t<Shape>>;
+    check_lanes_of_hits<Shape, P>(normal_run / 20);
+    const double open = fraction_left_open<P, Shape>(20'000);
+    MESSAGE("left open: " << 100 * open << " %");
+    CHECK(open < may_be_left_open);
+}
+
+TEST_CASE_TEMPLATE("packs: sphere", T, float, double) { check_packs<sphere<T>>(); }
+TEST_CASE_TEMPLATE("packs: plane", T, float, double) { check_packs<plane<T>>(); }
+TEST_CASE_TEMPLATE("packs: disc", T, float, double) { check_packs<disc<T>>(); }
+TEST_CASE_TEMPLATE("packs: triangle", T, float, double) { check_packs<triangle<T>>(); }
+TEST_CASE_TEMPLATE("packs: watertight triangle", T, float, double) { check_packs<watertight_triangle<T>>(); }
+TEST_CASE_TEMPLATE("packs: box", T, float, double) { check_packs<box<T>>(0.1); }
+TEST_CASE_TEMPLATE("packs: cylinder", T, float, double) { check_packs<cylinder<T>>(); }
+TEST_CASE_TEMPLATE("packs: open cylinder", T, float, double) { check_packs<open_cylinder<T>>(); }
+TEST_CASE_TEMPLATE("packs: convex polyhedron", T, float, double) { check_packs<convex_polyhedron<T>>(); }
+
+}  // namespace raio::test

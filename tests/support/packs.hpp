@@ -1,0 +1,187 @@
+#pragma once
+
+#include <array>
+
+#include <raio/math/simd.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/properties.hpp"
+
+/// \file
+/// Shapes and rays of packs, lane by lane against plain numbers and against the oracle.
+
+namespace raio::test {
+
+/// Probes side by side, one in each lane.
+template <class Shape, class P>
+struct packed_probe {
+    using shape_type = decltype(converted<P>(std::declval<Shape>()));
+
+    shape_type shape;
+    raio::ray<P> ray;
+    P t_min, t_max;
+
+    explicit packed_probe(const std::array<probe<Shape>, P::lanes>& probes)
+        : shape(converted<P>(probes[0].shape)), ray(converted<P>(probes[0].ray)), t_min(0), t_max(0) {
+        for (std::size_t lane = 0; lane < P::lanes; ++lane) set(lane, probes[lane]);
+    }
+
+    void set(std::size_t lane, probe<Shape> p) {
+        std::vector<scalar_t<P>> numbers;
+        const auto take = [&](auto& x) { numbers.push_back(x); };
+        for_each_number(p.shape, take);
+        for_each_number(p.ray, take);
+        std::size_t next = 0;
+        const auto put = [&](P& x) { x.set(lane, numbers[next++]); };
+        for_each_number(shape, put);
+        for_each_number(ray, put);
+        t_min.set(lane, p.t_min);
+        t_max.set(lane, p.t_max);
+    }
+};
+
+/// A polyhedron has as many planes in every lane: the last one is repeated.
+template <class Shape>
+void make_as_large(Shape&) {}
+template <class T>
+void make_as_large(convex_polyhedron<T>& shape) {
+    shape.planes.resize(9, shape.planes.back());
+}
+
+template <class Shape, std::size_t N, class MakeProbe>
+std::array<probe<Shape>, N> probes_side_by_side(random_numbers& random, MakeProbe make_probe) {
+    std::array<probe<Shape>, N> probes;
+    for (probe<Shape>& p : probes) {
+        p = make_probe(random);
+        make_as_large(p.shape);
+    }
+    return probes;
+}
+
+/// What is wrong with one lane of the crossings: wherever it is certain, the exact one exists or does not just so, and
+/// t is off by no more than the error that is stated.
+template <class Shape, class S, std::size_t N>
+std::string wrong_lane(const probe<Shape>& p, const std::vector<crossing<pack<S, N>>>& found, std::size_t lane) {
+    const std::vector exact = exact_crossings(p.shape, p.ray);
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        if (!found[i].certain[lane]) continue;
+        const bool exists = found[i].exists[lane];
+        if (exists != exact[i].exists) return exists ? "certain of a false hit" : "certain of a false miss";
+        if (!exists || !(abs(exact[i].t) < std::numeric_limits<S>::max())) continue;
+        const S t = found[i].t[lane], error = found[i].error[lane];
+        const oracle off = abs(oracle(t) - exact[i].t);
+        if (!(off <= oracle(error)) && error < infinity<S>)
+            return "off by " + literal(rounded<double>(off)) + ", said " + literal(double(error));
+    }
+    return "";
+}
+
+/// Is it beyond doubt, by what one lane of the crossings says of itself, which of them are in the window?
+template <class Shape, class S, std::size_t N>
+bool settled_lane(const probe<Shape>& p, const std::vector<crossing<pack<S, N>>>& found, std::size_t lane) {
+    for (const crossing<pack<S, N>>& c : found) {
+        const S low = c.t[lane] - c.error[lane], high = c.t[lane] + c.error[lane];
+        const bool apart = high < p.t_min || p.t_max < low || (p.t_min <= low && high <= p.t_max && high < infinity<S>);
+        if (!c.certain[lane] || (c.exists[lane] && !apart)) return false;
+    }
+    return true;
+}
+
+template <class S, std::size_t N>
+hit_record<S> lane_of(const hit_record<pack<S, N>>& rec, std::size_t lane) {
+    const auto of = [&](const vec3<pack<S, N>>& v) { return vec3<S>(v.x[lane], v.y[lane], v.z[lane]); };
+    return {rec.t[lane], of(rec.point),       of(rec.normal), {rec.uv.x[lane], rec.uv.y[lane]}, of(rec.error),
+            0,           rec.front_face[lane]};
+}
+
+/// What is wrong with the hit in one lane, seen from the exact hit of plain numbers.
+template <class Shape>
+std::string unlike_plain(const probe<Shape>& p, bool hit, bool settled, const hit_record<number_t<Shape>>& rec,
+                         number_t<Shape> error) {
+    hit_record<number_t<Shape>> exact;
+    const bool exact_hit = p.hit(exact);
+    if (settled && hit != exact_hit) return hit ? "false hit" : "false miss";
+    if (!hit) return rec.t == 7 && rec.error.z == 7 && rec.front_face ? "" : "a miss touched the record";
+    if (!settled) return "";
+    if (const std::string unsound = unsound_fields(rec); !unsound.empty()) return unsound + ", " + literal(rec);
+    if (rec.front_face != exact.front_face) return "wrong face, " + literal(rec);
+    if (!(std::abs(rec.t - exact.t) <= error + std::abs(exact.t) * std::numeric_limits<number_t<Shape>>::epsilon()))
+        return "t = " + literal(rec.t) + " for " + literal(exact.t);
+    if (dot(rec.normal, exact.normal) < number_t<Shape>(0.5)) return "";  // at an edge, of the other face
+    const vec3<number_t<Shape>> off = abs(rec.point - exact.point), both = rec.error + exact.error;
+    if (off.x > both.x || off.y > both.y || off.z > both.z) return "point off, " + literal(rec);
+    return "";
+}
+
+/// The crossings, the hits and the records of packs, lane by lane; and that a lane which is not a number is missed and
+/// leaves the others alone.
+template <class Shape, class P>
+void check_lanes_of_hits(int rays) {
+    using S = scalar_t<P>;
+    random_numbers random(20260101);
+    int complaints = 0, settled_hits = 0;
+    const auto complain = [&](const std::string& wrong, const probe<Shape>& p) {
+        if (!wrong.empty() && ++complaints <= 3) FAIL_CHECK(wrong << "\n    {" << literal(p) << "}");
+    };
+    for (int i = 0; i < rays; i += int(P::lanes)) {
+        const auto probes = probes_side_by_side<Shape, P::lanes>(random, random_probe<Shape>);
+        packed_probe<Shape, P> packed(probes);
+        const auto found = all_crossings<P>(packed.shape, packed.ray);
+        hit_record<P> rec{P(7), vec3<P>(7), vec3<P>(7), vec2<P>(7), vec3<P>(7), 7, true};
+        const auto hits = packed.shape.hit(packed.ray, packed.t_min, packed.t_max, rec);
+        const auto occluded = packed.shape.occluded(packed.ray, packed.t_min, packed.t_max);
+        for (std::size_t lane = 0; lane < P::lanes; ++lane) {
+            complain(wrong_lane(probes[lane], found, lane), probes[lane]);
+            const bool settled = settled_lane(probes[lane], found, lane);
+            // What is not settled, two calls may round to different answers: compilers contract them as they like.
+            if (settled && hits[lane] != occluded[lane]) complain("hit and occluded differ", probes[lane]);
+            const hit_record<S> own = lane_of(rec, lane);
+            const auto& met = own.t == found.front().t[lane] ? found.front() : found.back();
+            complain(unlike_plain(probes[lane], hits[lane], settled, own, met.error[lane]), probes[lane]);
+            settled_hits += settled && hits[lane];
+        }
+
+        const std::size_t broken = std::size_t(random.integer(0, int(P::lanes) - 1));
+        packed.ray.origin.y.set(broken, std::numeric_limits<S>::quiet_NaN());
+        hit_record<P> again = rec;
+        const auto others = packed.shape.hit(packed.ray, packed.t_min, packed.t_max, again);
+        if ((bits(others) | 1u << broken) != (bits(hits) | 1u << broken) || others[broken])
+            complain("a lane that is no number is hit, or changes another", probes[broken]);
+        for (std::size_t lane = 0; lane < P::lanes; ++lane) {
+            if (lane != broken && !same_record(lane_of(rec, lane), lane_of(again, lane)))
+                complain("a lane that is no number changes another's record", probes[lane]);
+        }
+    }
+    CHECK(complaints == 0);
+    CHECK(settled_hits > rays / 10);
+}
+
+/// The shape about one unit large and up to ten away, a ray from up to thirty units farther on that meets it about half
+/// the time: what most rays of a scene are like.
+template <class Shape>
+probe<Shape> ordinary_probe(random_numbers& random) {
+    using T = number_t<Shape>;
+    using about = subject<Shape>;
+    probe<Shape> p{about::random(random, 1.0, random.direction() * random.uniform(0, 10)), {}};
+    const vec3<double> to = about::inner_point(p.shape, random) + random.direction() * random.uniform(0, 2);
+    const vec3<double> from = about::inner_point(p.shape, random) + random.direction() * random.uniform(3, 30);
+    p.ray = {vec3<T>(from), vec3<T>(to - from)};
+    return p;
+}
+
+/// How many of the lanes leave something open, of ordinary rays: in the crossings there are, or in whether there are
+/// any.
+template <class P, class Shape>
+double fraction_left_open(int rays) {
+    random_numbers random(11);
+    int open = 0, count = 0;
+    for (; count < rays; count += int(P::lanes)) {
+        const auto probes = probes_side_by_side<Shape, P::lanes>(random, ordinary_probe<Shape>);
+        const packed_probe<Shape, P> packed(probes);
+        const auto found = all_crossings<P>(packed.shape, packed.ray);
+        for (std::size_t lane = 0; lane < P::lanes; ++lane) open += !found[0].certain[lane];
+    }
+    return double(open) / count;
+}
+
+}  // namespace raio::test
