@@ -1,6 +1,6 @@
 #pragma once
 
-#include <raio/crossing.hpp>
+#include <raio/settle.hpp>
 
 /// \file
 /// What can be asked of a shape. Whatever answers is a primitive, whether it is one triangle or a tree of them.

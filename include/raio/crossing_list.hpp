@@ -1,7 +1,7 @@
 #pragma once
 
-#include <raio/crossing.hpp>
 #include <raio/math/polynomial.hpp>
+#include <raio/settle.hpp>
 
 /// \file
 /// More than two crossings of one line, and how they are settled. Only for numbers of one lane.

@@ -5,8 +5,9 @@
 namespace raio {
 
 /// Where a line crosses a plane, at t = -height / normal.direction; nowhere, if it runs parallel, inside the plane
-/// included. \param height        normal.(origin - a point of the plane) \param height_error  bound of the error of
-/// `height`
+/// included.
+/// \param height  normal.(origin - a point of the plane)
+/// \param height_error  bound of the error of `height`
 template <real W>
 RAIO_FN constexpr crossing<W> cross_plane(const vec3<W>& normal, const vec3<W>& direction, const W& height,
                                           const bound_t<W>& height_error) {

@@ -2,14 +2,11 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
-#include <vector>
-
 #include <glm/geometric.hpp>
 
 #include <raio/raio.hpp>
 
-#include "support/random.hpp"
+#include "support/lanes.hpp"
 
 namespace raio::test {
 
@@ -28,72 +25,6 @@ static_assert(pack<float>::lanes == 8 && pack<double>::lanes == 4 && alignof(pac
 #elif defined(__SSE2__)
 static_assert(pack<float>::lanes == 4 && pack<double>::lanes == 2);
 #endif
-
-/// Ordinary numbers, and those that go wrong first.
-template <class S>
-std::vector<S> numbers() {
-    using limits = std::numeric_limits<S>;
-    std::vector<S> all{0,
-                       S(-0.0),
-                       1,
-                       -1,
-                       S(0.5),
-                       S(-2.5),
-                       3,
-                       limits::min(),
-                       limits::denorm_min(),
-                       limits::max(),
-                       limits::lowest(),
-                       limits::infinity(),
-                       -limits::infinity(),
-                       limits::quiet_NaN()};
-    random_numbers random(3);
-    for (int i = 0; i < 50; ++i) all.push_back(static_cast<S>(random.uniform(-10, 10)));
-    return all;
-}
-
-/// The same number, zeros told apart, any NaN as good as another.
-template <class S>
-bool same(S a, S b) {
-    return (a != a && b != b) || (a == b && std::signbit(a) == std::signbit(b));
-}
-
-/// Calls `visit` with packs that hold all pairs of numbers.
-template <class P, class Visit>
-void for_all_pairs(Visit visit) {
-    using S = scalar_t<P>;
-    const std::vector<S> all = numbers<S>();
-    std::array<S, P::lanes> a, b;
-    for (std::size_t first = 0; first < all.size() * all.size(); first += P::lanes) {
-        for (std::size_t lane = 0; lane < P::lanes; ++lane) {
-            a[lane] = all[(first + lane) / all.size() % all.size()];
-            b[lane] = all[(first + lane) % all.size()];
-        }
-        visit(P::load(a.data()), P::load(b.data()));
-    }
-}
-
-/// A function of packs gives in each lane what the same function of plain numbers gives.
-template <class P, class F>
-void check_lanes(const char* name, F f) {
-    int wrong = 0;
-    for_all_pairs<P>([&](const P& a, const P& b) {
-        const auto result = f(a, b);
-        for (std::size_t lane = 0; lane < P::lanes; ++lane) {
-            const auto expected = f(a[lane], b[lane]);
-            if constexpr (std::same_as<decltype(expected), const bool>) {
-                wrong += result[lane] != expected || (bits(result) >> lane & 1) != expected;
-            } else {
-                wrong += !same(result[lane], expected);
-            }
-        }
-    });
-    CHECK_MESSAGE(wrong == 0, std::string(name));
-}
-
-#define RAIO_PACKS_UNDER_TEST                                                                                      \
-    pack<float>, pack<float, 1>, pack<float, 3>, pack<float, 4>, pack<float, 8>, pack<float, 16>, pack<float, 32>, \
-        pack<double>, pack<double, 1>, pack<double, 2>, pack<double, 6>, pack<double, 8>, pack<double, 16>
 
 TEST_CASE_TEMPLATE("pack: every lane as a plain number", P, RAIO_PACKS_UNDER_TEST) {
     check_lanes<P>("a + b", [](auto a, auto b) { return a + b; });
@@ -122,26 +53,6 @@ TEST_CASE_TEMPLATE("pack: every lane as a plain number", P, RAIO_PACKS_UNDER_TES
     check_lanes<P>("is_finite", [](auto a, auto) { return is_finite(a); });
     check_lanes<P>("floor", [](auto a, auto) { return floor(a) + decltype(a)(0); });
     check_lanes<P>("infinity", [](auto a, auto) { return a < infinity<decltype(a)>; });
-}
-
-TEST_CASE_TEMPLATE("pack: masks, and masks that are chosen by masks", P, RAIO_PACKS_UNDER_TEST) {
-    check_lanes<P>("a && b", [](auto a, auto b) { return a < b && a <= -b; });
-    check_lanes<P>("a || b", [](auto a, auto b) { return a < b || a <= -b; });
-    check_lanes<P>("!a", [](auto a, auto b) { return !(a < b); });
-    check_lanes<P>("a == b", [](auto a, auto b) { return (a < b) == (a <= -b); });
-    check_lanes<P>("a != b", [](auto a, auto b) { return (a < b) != (a <= -b); });
-    check_lanes<P>("every", [](auto a, auto b) { return every(a < b, a <= -b, is_finite(b)); });
-    check_lanes<P>("some", [](auto a, auto b) { return some(a < b, a <= -b, !is_finite(b)); });
-    check_lanes<P>("select", [](auto a, auto b) { return select(a < b, a <= -b, b <= a); });
-    for_all_pairs<P>([](const P& a, const P& b) {
-        const auto less = a < b;
-        const std::uint32_t every_bit = bits(mask_t<P>(true));
-        CHECK(std::popcount(every_bit) == P::lanes);
-        CHECK(bits(mask_t<P>(false)) == 0);
-        CHECK(any(less) == (bits(less) != 0));
-        CHECK(none(less) == (bits(less) == 0));
-        CHECK(all(less) == (bits(less) == every_bit));
-    });
 }
 
 TEST_CASE_TEMPLATE("pack: angles", P, RAIO_PACKS_UNDER_TEST) {

@@ -15,13 +15,15 @@ namespace raio::test {
 
 /// Each test of a shape specialises this for every number type at once:
 ///
-///     static auto fields(auto& shape);    // std::tie of its fields
-///     static Shape random(random_numbers&, double size, vec3<double> place);    // one of that size at that place
-///     static vec3<double> inner_point(const Shape&, random_numbers&);    // inside the solid, or on the surface: not
-///     at its edge static vec3<double> special_point(const Shape&, vec3<double> from, random_numbers&);
+///     static auto fields(auto& shape);  // std::tie of its fields
+///     static Shape random(random_numbers&, double size, vec3<double> place);  // one of that size at that place
+///     static vec3<double> inner_point(const Shape&, random_numbers&);
+///         // inside the solid, or on the surface: not at its edge
+///     static vec3<double> special_point(const Shape&, vec3<double> from, random_numbers&);
 ///         // on a silhouette as seen from there, an edge, a vertex, a rim, an axis
-///     static oracle distance(const Shape&, const vec3<oracle>&);    // to the surface, below 0 in a solid; for Shape
-///     in oracle numbers static Shape grown(Shape);    // optional: see accuracy.hpp
+///     static oracle distance(const Shape&, const vec3<oracle>&);
+///         // to the surface, below 0 in a solid; for a shape in oracle numbers
+///     static Shape grown(Shape);  // optional: see accuracy.hpp
 template <class Shape>
 struct subject;
 

@@ -25,10 +25,8 @@ struct bin_scale {
 
     explicit bin_scale(const build_box& centers) {
         for (unsigned axis = 0; axis < 3; ++axis) {
-            const float extent = centers.extent(axis);
             low[axis] = centers.low(axis);
-            // An extent too small to divide by leaves all centres in one bin.
-            scale[axis] = extent > 1e-30f ? 0.9999f * bin_count / extent : 0;
+            scale[axis] = cells_per_length(bin_count, centers.extent(axis));
         }
     }
 

@@ -56,6 +56,13 @@ inline build_box hull(build_box a, const build_box& b) {
 /// Twice the centre of a box, along one axis.
 inline float center2(const build_box& box, unsigned axis) { return box.v[axis] - box.v[axis + 4]; }
 
+/// What turns a distance of at most `extent` into one of so many equal cells, counted from 0. Two roundings may
+/// lengthen the quotient by 2^-23 of it: without them the farthest place falls into the last cell. An extent too small
+/// to divide by leaves everything in the first.
+inline float cells_per_length(float cells, float extent) {
+    return extent > 0x1p-100f ? cells * (1 - 0x1p-22f) / extent : 0;
+}
+
 /// The largest float that is not above x, up to one: floats are taken as they are.
 template <class T>
 float rounded_down(T x) {

@@ -50,9 +50,7 @@ private:
         build_box all;
         for (const build_box& c : centers) all.include(c);
         std::array<float, 3> scale;
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            scale[axis] = all.extent(axis) > 1e-30f ? 1023.9f / all.extent(axis) : 0;
-        }
+        for (unsigned axis = 0; axis < 3; ++axis) scale[axis] = cells_per_length(1024, all.extent(axis));
         places_.resize(n);
         parallel_for(parts_of(part_size, n), threads_, [&](std::size_t i) {
             const part p = part_of(i, part_size, n);

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <bit>
-#include <cstddef>
 #include <cstring>
-#include <type_traits>
-#include <utility>
 
 #include <raio/math/angle.hpp>
+#include <raio/math/simd_register.hpp>
 
 /// \file
 /// Many numbers that go through one formula together: a shape of packs is as many shapes, a ray of packs as many rays.
@@ -20,150 +17,7 @@
 /// The registers are those of xsimd. Where it is not installed, in CUDA, and where RAIO_WITHOUT_XSIMD is defined, a
 /// `pack<S>` has one lane, and a `pack<S, N>` is N plain numbers.
 
-#if __has_include(<xsimd/xsimd.hpp>) && !defined(__CUDACC__) && !defined(RAIO_WITHOUT_XSIMD) && \
-    (defined(__SSE2__) || defined(_M_X64) || defined(__ARM_NEON))
-
-#include <xsimd/xsimd.hpp>
-
-namespace raio::detail {
-
-/// The widest register that N numbers fill without a rest; the plain number where there is none.
-template <class S, std::size_t N, std::size_t Width = xsimd::batch<S>::size>
-constexpr auto find_register() {
-    if constexpr (Width <= 1) {
-        return std::type_identity<S>{};
-    } else if constexpr (N % Width == 0 && !std::is_void_v<xsimd::make_sized_batch_t<S, Width>>) {
-        return std::type_identity<xsimd::make_sized_batch_t<S, Width>>{};
-    } else {
-        return find_register<S, N, Width / 2>();
-    }
-}
-template <class S, std::size_t N>
-using register_of = typename decltype(find_register<S, N>())::type;
-
-template <class S>
-inline constexpr std::size_t native_lanes = xsimd::batch<S>::size;
-
-// xsimd 8 cannot say the bits of a mask. Where they have registers of their own, the bits are the mask.
-inline std::uint32_t bits_of(std::unsigned_integral auto mask) { return mask; }
-#if XSIMD_WITH_SSE2
-inline std::uint32_t bits_of(__m128 mask) { return static_cast<std::uint32_t>(_mm_movemask_ps(mask)); }
-inline std::uint32_t bits_of(__m128d mask) { return static_cast<std::uint32_t>(_mm_movemask_pd(mask)); }
-#endif
-#if XSIMD_WITH_AVX
-inline std::uint32_t bits_of(__m256 mask) { return static_cast<std::uint32_t>(_mm256_movemask_ps(mask)); }
-inline std::uint32_t bits_of(__m256d mask) { return static_cast<std::uint32_t>(_mm256_movemask_pd(mask)); }
-#endif
-template <class S, class A>
-std::uint32_t bits_of(const xsimd::batch_bool<S, A>& mask) {
-    if constexpr (requires { mask.mask(); }) {
-        return static_cast<std::uint32_t>(mask.mask());
-    } else if constexpr (requires { bits_of(mask.data); }) {
-        return bits_of(mask.data);
-    } else {
-        std::uint32_t bits = 0;
-        for (std::size_t i = 0; i < mask.size; ++i) bits |= std::uint32_t{mask.get(i)} << i;
-        return bits;
-    }
-}
-
-}  // namespace raio::detail
-
-#else
-
-namespace raio::detail {
-
-template <class S, std::size_t N>
-using register_of = S;
-
-template <class S>
-inline constexpr std::size_t native_lanes = 1;
-
-RAIO_FN constexpr std::uint32_t bits_of(bool mask) { return mask ? 1 : 0; }
-
-}  // namespace raio::detail
-
-#endif
-
 namespace raio {
-
-namespace detail {
-
-/// What the comparison of two registers answers.
-template <class Register>
-using register_mask = decltype(std::declval<Register>() < std::declval<Register>());
-
-/// Calls `f` with 0, 1, ... N - 1, without a loop: what is indexed with them can live in registers.
-template <std::size_t N, class F>
-RAIO_FN constexpr void repeat(F f) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (f(I), ...); }
-    (std::make_index_sequence<N>());
-}
-
-}  // namespace detail
-
-/// What a comparison of packs answers: yes or no in each of N lanes. One type for all packs of numbers as large as S,
-/// which is `float` or `double`.
-template <std::floating_point S, std::size_t N>
-class pack_mask {
-public:
-    pack_mask() = default;
-    /// The same in every lane.
-    RAIO_FN constexpr pack_mask(std::same_as<bool> auto value) {
-        each([&](std::size_t i) { registers_[i] = register_type(value); });
-    }
-
-    RAIO_FN constexpr bool operator[](std::size_t lane) const { return (bits(*this) >> lane & 1) != 0; }
-
-    RAIO_FN friend constexpr pack_mask operator&(const pack_mask& a, const pack_mask& b) {
-        return made([&](std::size_t i) { return a.registers_[i] & b.registers_[i]; });
-    }
-    RAIO_FN friend constexpr pack_mask operator|(const pack_mask& a, const pack_mask& b) {
-        return made([&](std::size_t i) { return a.registers_[i] | b.registers_[i]; });
-    }
-    RAIO_FN constexpr pack_mask operator!() const {
-        return made([&](std::size_t i) { return !registers_[i]; });
-    }
-    RAIO_FN friend constexpr pack_mask operator!=(const pack_mask& a, const pack_mask& b) { return (a | b) & !(a & b); }
-    RAIO_FN friend constexpr pack_mask operator==(const pack_mask& a, const pack_mask& b) { return !(a != b); }
-    RAIO_FN friend constexpr pack_mask operator&&(const pack_mask& a, const pack_mask& b) { return a & b; }
-    RAIO_FN friend constexpr pack_mask operator||(const pack_mask& a, const pack_mask& b) { return a | b; }
-
-    RAIO_FN friend constexpr pack_mask select(const pack_mask& where, const pack_mask& a, const pack_mask& b) {
-        return (where && a) || (!where && b);
-    }
-
-    RAIO_FN friend constexpr bool any(const pack_mask& mask) { return bits(mask) != 0; }
-    RAIO_FN friend constexpr bool none(const pack_mask& mask) { return bits(mask) == 0; }
-    RAIO_FN friend constexpr bool all(const pack_mask& mask) { return bits(mask) == (~std::uint32_t{0} >> (32 - N)); }
-
-    /// One bit for each lane, the lowest for the first.
-    RAIO_FN friend constexpr std::uint32_t bits(const pack_mask& mask) {
-        std::uint32_t all = 0;
-        each([&](std::size_t i) { all |= detail::bits_of(mask.registers_[i]) << (i * (N / count)); });
-        return all;
-    }
-
-private:
-    template <class, std::size_t>
-    friend class pack;
-
-    using register_type = detail::register_mask<detail::register_of<S, N>>;
-    static constexpr std::size_t count = N * sizeof(S) / sizeof(detail::register_of<S, N>);
-
-    template <class F>
-    RAIO_FN static constexpr void each(F f) {
-        detail::repeat<count>(f);
-    }
-    template <class F>
-    RAIO_FN static constexpr pack_mask made(F f) {
-        pack_mask mask;
-        each([&](std::size_t i) { mask.registers_[i] = f(i); });
-        return mask;
-    }
-
-    register_type registers_[count];
-};
 
 /// N numbers S: `float` or `double`, or, to count with, unsigned ones of the same size.
 template <class S, std::size_t N = detail::native_lanes<S>>
@@ -180,7 +34,7 @@ public:
     /// The same number in every lane.
     template <class Number>
     requires std::is_arithmetic_v<Number> RAIO_FN constexpr pack(Number value) {
-        each([&](std::size_t i) { registers_[i] = register_type(static_cast<S>(value)); });
+        detail::fill(registers_, [&](std::size_t) { return register_type(static_cast<S>(value)); });
     }
 
     /// N numbers that stand one after the other in memory, aligned or not.
@@ -283,19 +137,16 @@ private:
     static constexpr std::size_t count = N * sizeof(S) / sizeof(register_type);
 
     template <class F>
-    RAIO_FN static constexpr void each(F f) {
-        detail::repeat<count>(f);
-    }
-    template <class F>
     RAIO_FN static constexpr pack made(F f) {
         pack result;
-        each([&](std::size_t i) { result.registers_[i] = f(i); });
+        detail::fill(result.registers_, f);
         return result;
     }
     template <class F>
     RAIO_FN static constexpr mask compared(F f) {
         mask result;
-        each([&](std::size_t i) { result.registers_[i] = std::bit_cast<typename mask::register_type>(f(i)); });
+        detail::fill(result.registers_,
+                     [&](std::size_t i) { return std::bit_cast<typename mask::register_type>(f(i)); });
         return result;
     }
 
