@@ -1,6 +1,8 @@
 #include "shape_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -19,9 +21,41 @@ constexpr int deepest = 100;
 
 shape read_shape(tokens& in, int depth);
 
-shape read_disc(tokens& in, int) {
-    return raio::disc<number>{vector(in, "the centre of a disc"), direction(in, "the normal of a disc"),
-                              in.expect_number("the radius of a disc", positive)};
+/// Shapes that only some scenes have are kept as what they can do.
+template <class Shape>
+shape kept(Shape s) {
+    if constexpr (std::constructible_from<shape, Shape>) {
+        return s;
+    } else if constexpr (raio::solid<Shape>) {
+        return any_solid(std::move(s));
+    } else {
+        return raio::any_primitive<number>(std::move(s));
+    }
+}
+
+// How one field of a shape is read; `name` says which, `of` whose.
+struct point {
+    std::string_view name;
+    vec3 operator()(tokens& in, std::string_view of) const { return vector(in, joined({"the ", name, " of ", of})); }
+};
+struct axis {
+    std::string_view name;
+    vec3 operator()(tokens& in, std::string_view of) const { return direction(in, joined({"the ", name, " of ", of})); }
+};
+struct measure {
+    std::string_view name;
+    requirement must_be = positive;
+    number operator()(tokens& in, std::string_view of) const {
+        return in.expect_number(joined({"the ", name, " of ", of}), must_be);
+    }
+};
+
+using shape_reading = std::function<shape(tokens&, int depth)>;
+
+/// A shape whose fields stand in the order that raio has them in.
+template <class Shape, class... Fields>
+shape_reading plain(std::string_view name, Fields... fields) {
+    return [=](tokens& in, int) { return kept(Shape{fields(in, name)...}); };
 }
 
 template <class Cylinder>
@@ -34,10 +68,12 @@ shape read_cylinder(tokens& in, int) {
     return Cylinder{base, top, radius};
 }
 
-shape read_torus(tokens& in, int) {
-    return raio::torus<number>{vector(in, "the centre of a torus"), direction(in, "the axis of a torus"),
-                               in.expect_number("the major radius of a torus", positive),
-                               in.expect_number("the minor radius of a torus", positive)};
+shape read_ring(tokens& in, int) {
+    const vec3 center = vector(in, "the centre of a ring"), normal = direction(in, "the normal of a ring");
+    const number inner = in.expect_number("the inner radius of a ring", not_negative);
+    const number outer = in.expect_number("the outer radius of a ring", positive);
+    if (!(inner < outer)) in.fail("an inner radius that is not below the outer one", "the smaller radius first");
+    return kept(raio::ring<number>{center, normal, inner, outer});
 }
 
 shape read_triangle(tokens& in, int) {
@@ -64,6 +100,67 @@ shape read_polyhedron(tokens& in, int) {
     });
     if (polyhedron.planes.empty()) in.fail("a polyhedron without planes", "at least one");
     return polyhedron;
+}
+
+/// A polyhedron that was made of corners.
+template <class Solid>
+shape with_volume(tokens& in, const Solid& solid, std::string_view what) {
+    if (!(solid.area() > 0)) in.fail(joined({what, " without volume"}), "corners that do not lie in one plane");
+    return raio::convex_polyhedron<number>{{solid.planes.begin(), solid.planes.end()}};
+}
+
+shape read_oriented_box(tokens& in, int) {
+    const vec3 center = vector(in, "the centre of an oriented box");
+    constexpr auto what = "the half edges of an oriented box";
+    const vec3 x = vector(in, what), y = vector(in, what), z = vector(in, what);
+    return with_volume(in, raio::oriented_box(center, x, y, z), "an oriented box");
+}
+
+shape read_tetrahedron(tokens& in, int) {
+    constexpr auto what = "the corners of a tetrahedron";
+    const vec3 a = vector(in, what), b = vector(in, what), c = vector(in, what), d = vector(in, what);
+    return with_volume(in, raio::tetrahedron(a, b, c, d), "a tetrahedron");
+}
+
+/// Calls `make` with an array of the corners that follow their number.
+template <class Make, std::size_t N = 3>
+shape over_polygon(tokens& in, std::span<const vec3> corners, Make make) {
+    constexpr std::size_t most_corners = 12;
+    if (corners.size() == N) {
+        std::array<vec3, N> base;
+        std::ranges::copy(corners, base.begin());
+        return make(base);
+    }
+    if constexpr (N < most_corners) return over_polygon<Make, N + 1>(in, corners, make);
+    in.fail(std::to_string(corners.size()) + " corners", "a base of 3 to " + std::to_string(most_corners));
+}
+
+shape read_pyramid(tokens& in, int) {
+    const auto corners = section(in, "corners of a pyramid", [&] { return vector(in, "the corners of a pyramid"); });
+    const vec3 apex = vector(in, "the apex of a pyramid");
+    return over_polygon(in, corners,
+                        [&](const auto& base) { return with_volume(in, raio::pyramid(base, apex), "a pyramid"); });
+}
+
+shape read_prism(tokens& in, int) {
+    const auto corners = section(in, "corners of a prism", [&] { return vector(in, "the corners of a prism"); });
+    const vec3 along = direction(in, "the edge of a prism");
+    return over_polygon(in, corners,
+                        [&](const auto& base) { return with_volume(in, raio::prism(base, along), "a prism"); });
+}
+
+shape read_regular_solid(tokens& in, int) {
+    constexpr requirement platonic{"4, 6, 8, 12 or 20",
+                                   [](double n) { return n == 4 || n == 6 || n == 8 || n == 12 || n == 20; }};
+    const number faces = in.expect_number("the faces of a regular solid", platonic);
+    const vec3 center = vector(in, "the centre of a regular solid");
+    const number radius = in.expect_number("the radius of a regular solid", positive);
+    const auto made = [&](const auto& solid) { return with_volume(in, solid, "a regular solid"); };
+    if (faces == 4) return made(raio::regular_solid<4>(center, radius));
+    if (faces == 6) return made(raio::regular_solid<6>(center, radius));
+    if (faces == 8) return made(raio::regular_solid<8>(center, radius));
+    if (faces == 12) return made(raio::regular_solid<12>(center, radius));
+    return made(raio::regular_solid<20>(center, radius));
 }
 
 /// What several solids are together, two by two, so that the tree of them is as flat as it can be.
@@ -102,24 +199,27 @@ shape read_difference(tokens& in, int depth) {
     return any_solid(raio::difference_of(parts.front(), combined(std::span(parts).subspan(1), united)));
 }
 
-const by_name<shape (*)(tokens&, int)> shapes{
-    {"sphere",
-     [](tokens& in, int) -> shape {
-         return raio::sphere<number>{vector(in, "the centre of a sphere"),
-                                     in.expect_number("the radius of a sphere", positive)};
-     }},
-    {"plane",
-     [](tokens& in, int) -> shape {
-         return raio::plane<number>{vector(in, "the point of a plane"), direction(in, "the normal of a plane")};
-     }},
+const shape_reading read_disc = plain<raio::disc<number>>("a disc", point{"centre"}, axis{"normal"}, measure{"radius"});
+
+const by_name<shape_reading> shapes{
+    {"sphere", plain<raio::sphere<number>>("a sphere", point{"centre"}, measure{"radius"})},
+    {"plane", plain<raio::plane<number>>("a plane", point{"point"}, axis{"normal"})},
     {"circle", read_disc},
     {"disc", read_disc},
+    {"ring", read_ring},
     {"triangle", read_triangle},
     {"box", read_box},
     {"cylinder", read_cylinder<raio::cylinder<number>>},
     {"open_cylinder", read_cylinder<raio::open_cylinder<number>>},
     {"polyhedron", read_polyhedron},
-    {"torus", read_torus},
+    {"capsule", plain<raio::capsule<number>>("a capsule", point{"base"}, point{"top"}, measure{"radius"})},
+    {"torus", plain<raio::torus<number>>("a torus", point{"centre"}, axis{"axis"}, measure{"major radius"},
+                                         measure{"minor radius"})},
+    {"oriented_box", read_oriented_box},
+    {"tetrahedron", read_tetrahedron},
+    {"pyramid", read_pyramid},
+    {"prism", read_prism},
+    {"regular_solid", read_regular_solid},
     {"union", read_union},
     {"intersection", read_intersection},
     {"difference", read_difference},

@@ -25,11 +25,8 @@ bool is_finite(const object& o) {
 world::world(render::scene scene) : scene_(std::move(scene)) {
     // Trees and groups count their members type by type; sorted by type, objects have the same numbers.
     auto& objects = scene_.objects;
-    const auto endless = std::ranges::stable_partition(objects, is_finite);
-    tree_size_ = static_cast<std::uint32_t>(endless.begin() - objects.begin());
-    const auto type = [](const object& o) { return o.shape.index(); };
-    std::ranges::stable_sort(objects.begin(), endless.begin(), {}, type);
-    std::ranges::stable_sort(endless, {}, type);
+    std::ranges::stable_sort(objects, {}, [](const object& o) { return std::pair(!is_finite(o), o.shape.index()); });
+    tree_size_ = static_cast<std::uint32_t>(std::ranges::count_if(objects, is_finite));
 
     kinds_of<shape>::group finite;
     for (std::uint32_t index = 0; index < objects.size(); ++index) {

@@ -169,6 +169,23 @@ TEST_CASE("shapes that the course has not are read") {
     CHECK(torus.minor_radius == 0.5);
 }
 
+TEST_CASE("shapes are read as the fields that raio has") {
+    const auto solid = [](const std::string& words, const ray& r) {
+        return only_shape<raio::any_solid<number>>("scale 1 1 1 " + words).spans(r);
+    };
+    const ray up{{0, -8, 0}, {0, 1, 0}}, beside{{1, -8, 1}, {0, 1, 0}};
+    CHECK(same(solid("capsule 0 -1 0  0 2 0  0.5", up), {{6.5, 10.5}}));
+    CHECK(same(solid("oriented_box 0 1 0  2 0 2  -2 0 2  0 1 0", beside), {{8, 10}}));
+    CHECK(same(solid("tetrahedron -1 0 -1  3 0 -1  -1 0 3  -1 4 -1", up), {{8, 10}}));
+    CHECK(same(solid("pyramid 4  -2 0 -2  2 0 -2  2 0 2  -2 0 2  0 2 0", beside), {{8, 9}}));
+    CHECK(same(solid("prism 3  -2 0 -2  4 0 -2  -2 0 4  0 5 0", beside), {{8, 13}}));
+    CHECK(same(solid("regular_solid 8  0 1 0  2", up), {{7, 11}}));
+
+    const auto ring = only_shape<raio::any_primitive<number>>("ring 0 1 0  0 2 0  1 3");
+    CHECK(ring.occluded(ray{{2, 0, 0}, {0, 1, 0}}, 1, 1));
+    CHECK_FALSE(ring.occluded(ray{{0.5, 0, 0}, {0, 1, 0}}, 0, 10));
+}
+
 TEST_CASE("transforms stand before any shape, and the last one is applied first") {
     // Twice as long along z, which is then turned to x, and moved.
     const auto ellipsoid =

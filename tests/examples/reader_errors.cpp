@@ -25,8 +25,8 @@ std::string repeated(std::string_view words, int times) {
 
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
-    "a shape: box, circle, cylinder, difference, disc, intersection, mesh, open_cylinder, plane, polyhedron, sphere, torus, "
-    "triangle, union";
+    "a shape: box, capsule, circle, cylinder, difference, disc, intersection, mesh, open_cylinder, oriented_box, plane, "
+    "polyhedron, prism, pyramid, regular_solid, ring, sphere, tetrahedron, torus, triangle, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -155,7 +155,7 @@ const bad_scene bad_objects[] = {
      {.objects = "1 99999999999999999999 0 sphere"},
      "5: found '99999999999999999999', expected the index of a pigment, from 0 to 0"},
     {"no pigment to choose from", {.pigments = "0"}, "5: found '0', expected no object, since there is no pigment"},
-    {"an unknown shape", {.objects = "1 0 0 cone 0 0 0 1"}, "5: found 'cone', expected " + shapes},
+    {"an unknown shape", {.objects = "1 0 0 teapot 0 0 0 1"}, "5: found 'teapot', expected " + shapes},
     {"a shape in capitals", {.objects = "1 0 0 Sphere 0 0 0 1"}, "5: found 'Sphere', expected " + shapes},
     {"radius 0",
      {.objects = "1 0 0 sphere 0 0 0 0"},
@@ -199,6 +199,24 @@ const bad_scene bad_objects[] = {
     {"a torus without tube",
      {.objects = "1 0 0 torus 0 0 0 0 1 0 1 0"},
      "5: found '0', expected a number above 0 for the minor radius of a torus"},
+    {"a ring inside out",
+     {.objects = "1 0 0 ring 0 0 0 0 1 0 2 1"},
+     "5: found an inner radius that is not below the outer one, expected the smaller radius first"},
+    {"a capsule without radius",
+     {.objects = "1 0 0 capsule 0 0 0 0 1 0 0"},
+     "5: found '0', expected a number above 0 for the radius of a capsule"},
+    {"a tetrahedron in a plane",
+     {.objects = "1 0 0 tetrahedron 0 0 0 1 0 0 0 1 0 1 1 0"},
+     "5: found a tetrahedron without volume, expected corners that do not lie in one plane"},
+    {"a pyramid over a line",
+     {.objects = "1 0 0 pyramid 2 0 0 0 1 0 0 0 1 0"},
+     "5: found 2 corners, expected a base of 3 to 12"},
+    {"a prism along its base",
+     {.objects = "1 0 0 prism 3 0 0 0 1 0 0 0 1 0 1 1 0"},
+     "5: found a prism without volume, expected corners that do not lie in one plane"},
+    {"a regular solid of seven faces",
+     {.objects = "1 0 0 regular_solid 7 0 0 0 1"},
+     "5: found '7', expected 4, 6, 8, 12 or 20 for the faces of a regular solid"},
     {"a box inside out",
      {.objects = "1 0 0 box 0 0 0 1 -1 1"},
      "5: found a minimum above the maximum of a box, expected the lesser coordinates first"},
