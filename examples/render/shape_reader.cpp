@@ -83,6 +83,15 @@ shape read_triangle(tokens& in, int) {
     return triangle;
 }
 
+shape read_parallelogram(tokens& in, int) {
+    const vec3 corner = vector(in, "the corner of a parallelogram");
+    constexpr auto what = "the edges of a parallelogram";
+    const vec3 u = vector(in, what), v = vector(in, what);
+    const raio::parallelogram<number> parallelogram{corner, u, v};
+    if (parallelogram.area() == 0) in.fail("a parallelogram without area", "edges that are not on one line");
+    return parallelogram;
+}
+
 shape read_box(tokens& in, int) {
     const raio::box<number> box{vector(in, "the minimum of a box"), vector(in, "the maximum of a box")};
     if (!glm::all(glm::lessThanEqual(box.min, box.max))) {
@@ -211,6 +220,7 @@ const by_name<shape_reading> shapes{
     {"box", read_box},
     {"cylinder", read_cylinder<raio::cylinder<number>>},
     {"open_cylinder", read_cylinder<raio::open_cylinder<number>>},
+    {"parallelogram", read_parallelogram},
     {"polyhedron", read_polyhedron},
     {"capsule", plain<raio::capsule<number>>("a capsule", point{"base"}, point{"top"}, measure{"radius"})},
     {"torus", plain<raio::torus<number>>("a torus", point{"centre"}, axis{"axis"}, measure{"major radius"},

@@ -15,6 +15,7 @@
 #include <raio/shape/convex_polyhedron.hpp>
 #include <raio/shape/cylinder.hpp>
 #include <raio/shape/disc.hpp>
+#include <raio/shape/parallelogram.hpp>
 #include <raio/shape/plane.hpp>
 #include <raio/shape/polyhedra.hpp>
 #include <raio/shape/ring.hpp>

@@ -162,6 +162,11 @@ TEST_CASE("shapes that the course has not are read") {
     CHECK(tube.top == vec3(1, 2, 13));
     CHECK(tube.radius == 0.5);
 
+    const auto wall = only_shape<raio::parallelogram<number>>("parallelogram 1 2 3  4 5 6  7 8 10");
+    CHECK(wall.corner == vec3(1, 2, 3));
+    CHECK(wall.edge_u == vec3(4, 5, 6));
+    CHECK(wall.edge_v == vec3(7, 8, 10));
+
     const auto torus = only_shape<raio::torus<number>>("torus 1 2 3  4 5 6  7 0.5");
     CHECK(torus.center == vec3(1, 2, 3));
     CHECK(torus.axis == vec3(4, 5, 6));

@@ -2,6 +2,7 @@
 #include "support/cylinders.hpp"
 #include "support/discs.hpp"
 #include "support/packs.hpp"
+#include "support/parallelograms.hpp"
 #include "support/planes.hpp"
 #include "support/polyhedra.hpp"
 #include "support/spheres.hpp"
@@ -24,6 +25,7 @@ TEST_CASE_TEMPLATE("packs: plane", T, float, double) { check_packs<plane<T>>(); 
 TEST_CASE_TEMPLATE("packs: disc", T, float, double) { check_packs<disc<T>>(); }
 TEST_CASE_TEMPLATE("packs: triangle", T, float, double) { check_packs<triangle<T>>(); }
 TEST_CASE_TEMPLATE("packs: watertight triangle", T, float, double) { check_packs<watertight_triangle<T>>(); }
+TEST_CASE_TEMPLATE("packs: parallelogram", T, float, double) { check_packs<parallelogram<T>>(); }
 TEST_CASE_TEMPLATE("packs: box", T, float, double) { check_packs<box<T>>(0.1); }
 TEST_CASE_TEMPLATE("packs: cylinder", T, float, double) { check_packs<cylinder<T>>(); }
 TEST_CASE_TEMPLATE("packs: open cylinder", T, float, double) { check_packs<open_cylinder<T>>(); }

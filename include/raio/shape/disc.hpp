@@ -1,14 +1,11 @@
 #pragma once
 
-#include <raio/concepts.hpp>
-#include <raio/math/angle.hpp>
-#include <raio/math/frame.hpp>
-#include <raio/plane_crossing.hpp>
-#include <raio/surface_sample.hpp>
+#include <raio/shape/ring.hpp>
 
 namespace raio {
 
 /// The points of a plane at most `radius` from `center`: where the ray meets the plane, the squared distance decides.
+/// It is a ring without a hole, but asks for one rim only.
 ///
 /// uv: u is the angle about the normal, from the x axis of `frame_about(normal)`; v the distance from the centre over
 /// the radius.
@@ -28,19 +25,9 @@ struct disc {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    /// Along each axis the disc reaches as far as the radius times the sine of the angle between axis and normal.
-    RAIO_FN constexpr aabb<T> bounds() const {
-        vec3<T> reach = disc_reach(normal, radius);
-        return padded(aabb<T>{center - reach, center + reach});
-    }
-
-    RAIO_FN constexpr T area() const { return T(pi<T>) * radius * radius; }
-
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
-        const T rho = radius * sqrt(u.y), phi = T(2 * pi<T>) * u.x;
-        const frame<T> f = frame_about(normalize(normal));
-        return {center + f.to_world({rho * cos(phi), rho * sin(phi), T(0)}), f.z};
-    }
+    RAIO_FN constexpr aabb<T> bounds() const { return as_ring().bounds(); }
+    RAIO_FN constexpr T area() const { return as_ring().area(); }
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_ring().sample(u); }
 
     template <class W, real R>
     RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
@@ -55,12 +42,11 @@ struct disc {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal)));
-        record_point(ray, c, rec);
-        rec.normal = outward * select(c.entering, N(1), N(-1));
-        vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - center);
-        rec.uv = {turns(local.y, local.x), min(T(1), sqrt(local.x * local.x + local.y * local.y) / radius)};
+        as_ring().surface(ray, c, rec);
     }
+
+private:
+    RAIO_FN constexpr ring<T> as_ring() const { return {center, normal, T(0), radius}; }
 };
 
 }  // namespace raio

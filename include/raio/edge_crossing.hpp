@@ -1,0 +1,62 @@
+#pragma once
+
+#include <raio/settle.hpp>
+
+/// \file
+/// What a triangle and a parallelogram have in common: a corner and two edges.
+///
+/// Moeller and Trumbore (1997): the point origin + t direction = corner + u e1 + v e2 is three linear equations for t,
+/// u and v. By Cramer's rule, with s = origin - corner, p = direction x e2, q = s x e1,
+///
+///     det = e1.p,   u = s.p / det,   v = direction.q / det,   t = e2.q / det.
+
+namespace raio {
+
+/// Where a line crosses the plane of two edges, and how far along them: u and v are u / size and v / size of the edges.
+template <class W>
+struct edge_crossing {
+    crossing<W> at;
+    W size, u, v;
+    bound_t<W> size_error, u_error, v_error;
+};
+
+template <class W, real R>
+RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3<W>& e1, const vec3<W>& e2,
+                                               const ray<R>& ray) {
+    using E = bound_t<W>;
+    vec3<W> direction(ray.direction), s = vec3<W>(ray.origin) - corner;
+    vec3<W> p = cross(direction, e2), q = cross(s, e1);
+    W det = dot(e1, p), sign = copysign(W(1), det), size = abs(det);
+    W u = dot(s, p) * sign, v = dot(direction, q) * sign;
+
+    // A triple product of vectors that are off by a rounding each is off by less than 8 roundings of its terms.
+    E k(8 * unit_roundoff<W>), det_error = k * triple_product_bound(e1, direction, e2);
+    E u_error = k * triple_product_bound(s, direction, e2), v_error = k * triple_product_bound(direction, s, e1);
+
+    W over_det = quotient(W(1), det, W(0)), t = dot(e2, q) * over_det;
+    E t_error = k * triple_product_bound(e2, s, e1);
+    E error = E(2) * (t_error + abs(E(t)) * det_error) * abs(E(over_det)) + E(4 * unit_roundoff<W>) * abs(E(t));
+    crossing<W> c{.exists = size > tie<W>(det_error),
+                  .certain = size > E(2) * det_error,
+                  .t = t,
+                  .error = error,
+                  .entering = det > W(0),
+                  .uv = vec2<W>(u, v) * abs(over_det)};
+    return {c, size, u, v, det_error, u_error, v_error};
+}
+
+/// Records the crossing with a flat shape that has such edges. Seen edge-on, the computed point may lie beyond the
+/// corners that the exact one lies between.
+template <class W, real R, real T, real N>
+RAIO_FN constexpr void record_between(const aabb<T>& corners, const vec3<W>& e1, const vec3<W>& e2, const ray<R>& ray,
+                                      const crossing<W>& at, hit_record<T, N>& rec) {
+    vec3<W> normal = cross(scaled_into_range<T>(e1), scaled_into_range<T>(e2));
+    vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal)));
+    record_point(ray, at, rec);
+    const auto between = [](T low, T high, T x) { return max(low, min(high, x)); };
+    rec.point = {between(corners.min.x, corners.max.x, rec.point.x), between(corners.min.y, corners.max.y, rec.point.y),
+                 between(corners.min.z, corners.max.z, rec.point.z)};
+    rec.normal = outward * select(at.entering, N(1), N(-1));
+}
+
+}  // namespace raio

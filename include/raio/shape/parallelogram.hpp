@@ -1,0 +1,69 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/edge_crossing.hpp>
+#include <raio/surface_sample.hpp>
+
+namespace raio {
+
+/// The points `corner + u edge_u + v edge_v` with u and v in [0, 1]: a flat quadrilateral whose front is the side from
+/// which the turn from `edge_u` to `edge_v` is counter-clockwise.
+///
+/// A line crosses the plane of the two edges where edge_crossing.hpp finds u, v and t; the four signs of u, v, 1 - u
+/// and 1 - v, which are exact, say whether that is inside.
+///
+/// uv: u and v.
+template <real T>
+struct parallelogram {
+    using number = T;
+
+    vec3<T> corner;
+    vec3<T> edge_u, edge_v;  ///< the parallelogram is missed if these are parallel
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return padded(corners()); }
+
+    RAIO_FN constexpr T area() const { return length(cross(edge_u, edge_v)); }
+
+    /// `u` is the uv.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        return {corner + edge_u * u.x + edge_v * u.y, normalize(cross(edge_u, edge_v))};
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
+        auto [at, size, u, v, size_error, u_error, v_error] =
+            cross_edges(vec3<W>(corner), vec3<W>(edge_u), vec3<W>(edge_v), ray);
+        W to_u = size - u, to_v = size - v;  // from the edges opposite
+        bound_t<W> to_u_error = size_error + u_error, to_v_error = size_error + v_error;
+        const mask_t<W> outside = some(u < -u_error, v < -v_error, to_u < -to_u_error, to_v < -to_v_error);
+        const mask_t<W> inside = every(u > u_error, v > v_error, to_u > to_u_error, to_v > to_v_error);
+        at.exists = every(at.exists, u >= -tie<W>(u_error), v >= -tie<W>(v_error), to_u >= -tie<W>(to_u_error),
+                          to_v >= -tie<W>(to_v_error));
+        at.certain = every(at.certain, some(outside, inside));
+        return at;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
+        record_between(corners(), vec3<W>(edge_u), vec3<W>(edge_v), ray, at, rec);
+        rec.uv = {max(T(0), min(T(1), T(at.uv.x))), max(T(0), min(T(1), T(at.uv.y)))};
+    }
+
+private:
+    RAIO_FN constexpr aabb<T> corners() const {
+        using W = wider_t<T>;
+        vec3<W> along_u = vec3<W>(corner) + vec3<W>(edge_u), along_v = vec3<W>(corner) + vec3<W>(edge_v);
+        aabb<T> box = hull(hull(aabb<T>{corner, corner}, vec3<T>(along_u)), vec3<T>(along_v));
+        return hull(box, vec3<T>(along_u + vec3<W>(edge_v)));
+    }
+};
+
+}  // namespace raio
