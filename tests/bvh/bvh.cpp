@@ -1,3 +1,5 @@
+#include <raio/compose/transformed.hpp>
+
 #include "support/trees.hpp"
 
 namespace raio::test {
@@ -31,6 +33,24 @@ TEST_CASE_TEMPLATE("bvh: trees of trees", T, float, double) {
         loops.emplace_back(shapes);
     }
     check_like(bvh{trees}, group{loops}, random);
+}
+
+TEST_CASE_TEMPLATE("bvh: instances of one tree, in a tree", T, float, double) {
+    random_numbers random(17);
+    const std::vector<triangle<T>> shapes = random_shapes<triangle<T>>(random, 100);
+    const bvh<triangle<T>> tree(shapes);
+    const group<std::vector<triangle<T>>> loop(shapes);
+    std::vector<transformed<const bvh<triangle<T>>*>> trees;
+    std::vector<transformed<const group<std::vector<triangle<T>>>*>> loops;
+    for (int i = 0; i < 30; ++i) {
+        const vec3<T> factors(static_cast<T>(random.uniform(0.1, 0.5)), static_cast<T>(random.uniform(-0.5, -0.1)), 1);
+        const transform<T> map = translation(within<T>(random, 8)) *
+                                 rotation(vec3<T>(random.direction()), static_cast<T>(random.uniform(0, 6))) *
+                                 scaling(factors);
+        trees.emplace_back(&tree, map);
+        loops.emplace_back(&loop, map);
+    }
+    check_like(bvh{trees}, group{loops}, random, 2000);
 }
 
 TEST_CASE_TEMPLATE("bvh: few shapes, or none", T, float, double) {
