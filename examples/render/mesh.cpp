@@ -8,6 +8,7 @@
 
 #include <tiny_obj_loader.h>
 
+#include "ply.hpp"
 #include "tokens.hpp"
 
 namespace render {
@@ -52,7 +53,7 @@ public:
         };
         std::istream in(&lines_);
         tinyobj::LoadObjWithCallback(in, calls, this);
-        if (triangles_.empty()) line().fail("no face", "a Wavefront OBJ file with faces");
+        if (triangles_.empty()) line().fail("no face", "a Wavefront OBJ or PLY file with faces");
         return std::move(triangles_);
     }
 
@@ -100,11 +101,11 @@ private:
 }  // namespace
 
 std::vector<raio::triangle<double>> read_mesh(const std::filesystem::path& file) {
-    return parse_mesh(read_text(file, "a Wavefront OBJ file"), file.string());
+    return parse_mesh(read_text(file, "a Wavefront OBJ or PLY file"), file.string());
 }
 
 std::vector<raio::triangle<double>> parse_mesh(std::string_view text, const std::string& file) {
-    return mesh_builder(text, file).build();
+    return is_ply(text) ? parse_ply(text, file) : mesh_builder(text, file).build();
 }
 
 }  // namespace render

@@ -51,8 +51,8 @@ TEST_CASE("a wrong mesh is named with its line") {
     struct {
         std::string name, text, message;
     } const rows[] = {
-        {"nothing", "", "1: found no face, expected a Wavefront OBJ file with faces"},
-        {"no face", std::string(four_vertices), "4: found no face, expected a Wavefront OBJ file with faces"},
+        {"nothing", "", "1: found no face, expected a Wavefront OBJ or PLY file with faces"},
+        {"no face", std::string(four_vertices), "4: found no face, expected a Wavefront OBJ or PLY file with faces"},
         {"a word", "v 0 0 0\nv 1 y 0\n", "2: found 'y', expected a number for a coordinate of a vertex"},
         {"two coordinates", "\nv 0 0\nv 0 0 0\n",
          "2: found the end of the line, expected three coordinates of a vertex"},
@@ -64,13 +64,13 @@ TEST_CASE("a wrong mesh is named with its line") {
          "2: found a face with the corner -2, expected the number of one of the 1 vertices above"},
         {"a word for a corner", "v 0 0 0\nf 1 1 one",
          "2: found a face with the corner 0, expected the number of one of the 1 vertices above"},
-        {"bytes", std::string("\0\xff\x01 f 1 2", 9), "1: found no face, expected a Wavefront OBJ file with faces"},
+        {"bytes", std::string("\0\xff\x01 f 1 2", 9), "1: found no face, expected a Wavefront OBJ or PLY file with faces"},
     };
     for (const auto& row : rows) {
         CAPTURE(row.name);
         CHECK(error_of(row.text) == "test.obj:" + row.message);
     }
-    CHECK_THROWS_WITH(read_mesh("none.obj"), "none.obj:1: found no such file, expected a Wavefront OBJ file");
+    CHECK_THROWS_WITH(read_mesh("none.obj"), "none.obj:1: found no such file, expected a Wavefront OBJ or PLY file");
 }
 
 TEST_CASE("a mesh is one object of the file and as many of the scene as it has triangles") {
