@@ -44,6 +44,8 @@ TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, 
     CHECK(ball.vertices.size() == 162);
     for (const bvh_quality quality : qualities) {
         const bvh tree(ball, {.quality = quality});
+        const bvh<mesh_triangle<T>> compact(ball, {.quality = quality});
+        CHECK(compact.bytes() < tree.bytes() * 3 / 4);
         for (int i = 0; i < normal_run / 10; ++i) {
             // From within, through a vertex or the middle of an edge: it is never outside.
             const std::array<std::uint32_t, 3>& t = ball.triangles[static_cast<std::size_t>(random.integer(0, 319))];
@@ -55,8 +57,17 @@ TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, 
             REQUIRE(ball.hit({from, target - from}, T(0), infinity<T>, expected));
             REQUIRE(same(found, expected));
             REQUIRE(!found.front_face);
+            REQUIRE(compact.hit({from, target - from}, T(0), infinity<T>, found));
+            REQUIRE(same(found, expected));
+            REQUIRE(compact.occluded({from, target - from}, T(0), infinity<T>));
         }
     }
+    bvh<mesh_triangle<T>> moving(ball);
+    for (vec3<T>& v : ball.vertices) v *= T(2);
+    moving.refit(ball);
+    hit_record<T> rec;
+    REQUIRE(moving.hit({{0, 0, 0}, ball.vertices[0]}, T(0), infinity<T>, rec));
+    CHECK(rec.t == doctest::Approx(1));
     ball.triangles[7][1] = 162;
     CHECK_THROWS_WITH_AS(bvh{ball}, "raio::mesh: triangle 7 has vertex 162 of 162", std::invalid_argument);
 }

@@ -19,7 +19,8 @@ namespace raio {
 /// children a node as the processor's registers have lanes, and its leaves are blocks of shapes in packs, which filter;
 /// the plain shapes decide. So boxes, tree and packs make it fast and nothing else.
 ///
-/// The shapes are copied. Every shape must have finite bounds; shapes without any point are left out.
+/// The shapes are copied, but for those of a `bvh<mesh_triangle<T>>`. Every shape must have finite bounds; shapes
+/// without any point are left out.
 template <bounded P, bounded... Rest>
 requires(std::floating_point<number_t<P>> && (std::same_as<number_t<Rest>, number_t<P>> && ...)) class bvh {
     using leaves = typename detail::assembled<P, Rest...>::leaves_type;
@@ -43,8 +44,9 @@ public:
         std::apply([&](const auto&... member) { tree_.build(std::tuple(all_of(member)...), options); }, shapes.members);
     }
 
-    /// The triangles of a mesh; what it has beside them is not taken.
-    /// \throws std::invalid_argument  as well, and what `mesh::check` throws
+    /// The triangles of a mesh; what it has beside them is not taken. A tree of `mesh_triangle` leaves the corners
+    /// where they are, and the mesh has to live longer. \throws std::invalid_argument  as well, and what `mesh::check`
+    /// throws
     explicit bvh(const mesh<T>& of, const bvh_options& options = {}) requires(sizeof...(Rest) == 0) {
         of.check();
         tree_.build(std::tuple(triangles_of{of}), options);
@@ -151,8 +153,12 @@ private:
 
         std::size_t size() const { return of.size(); }
         P operator[](std::size_t i) const {
-            const triangle<T> t = of[i];
-            return {t.a, t.b, t.c};
+            if constexpr (std::same_as<P, mesh_triangle<T>>) {
+                return {&of, static_cast<std::uint32_t>(i)};
+            } else {
+                const triangle<T> t = of[i];
+                return {t.a, t.b, t.c};
+            }
         }
     };
 

@@ -33,15 +33,20 @@ concept gatherable_as = std::is_trivially_copyable_v<Shape> && sizeof(Shape) % s
     { packed.template crossings<W>(ray) } -> crossings_of<W>;
 };
 
+/// Does the shape bring its own room for N of it, since it is no aggregate of numbers?
+template <class Shape>
+concept brings_lanes = requires {
+    typename Shape::template lanes<4>;
+};
+
 /// Has the shape a shape of packs?
 template <class Shape>
-concept gatherable = std::floating_point<number_t<Shape>> && gatherable_as < Shape,
-        pack < number_t<Shape>,
-4 >> ;
+concept gatherable = std::floating_point<number_t<Shape>> &&
+    (brings_lanes<Shape> || gatherable_as<Shape, pack<number_t<Shape>, 4>>);
 
 /// Room for N shapes, lane by lane.
 template <gatherable Shape, std::size_t N>
-class gathered {
+class gathered_numbers {
 public:
     using T = number_t<Shape>;
     using packed = rebind_t<Shape, pack<T, N>>;
@@ -70,5 +75,16 @@ private:
 
     alignas(packed) std::byte bytes_[sizeof(packed)];
 };
+
+template <class Shape, std::size_t N>
+struct find_gathered {
+    using type = gathered_numbers<Shape, N>;
+};
+template <brings_lanes Shape, std::size_t N>
+struct find_gathered<Shape, N> {
+    using type = typename Shape::template lanes<N>;
+};
+template <gatherable Shape, std::size_t N>
+using gathered = typename find_gathered<Shape, N>::type;
 
 }  // namespace raio::detail

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <raio/math/simd.hpp>
 #include <raio/shape/triangle.hpp>
 
 namespace raio {
@@ -91,6 +92,60 @@ private:
         const auto& [a, b, c] = triangles[rec.index];
         return of[a] * (T(1) - rec.uv.x - rec.uv.y) + of[b] * rec.uv.x + of[c] * rec.uv.y;
     }
+};
+
+/// One triangle of a mesh, by its number; the mesh has to live longer. A tree of these, `bvh<mesh_triangle<T>>(mesh)`,
+/// leaves the corners in the mesh: it takes less memory than one that has copied them, and more time.
+template <real T>
+struct mesh_triangle {
+    using number = T;
+
+    const mesh<T>* of;
+    std::uint32_t index;
+
+    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return (*of)[index].hit(ray, t_min, t_max, rec);
+    }
+    mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const { return (*of)[index].occluded(ray, t_min, t_max); }
+    aabb<T> bounds() const { return (*of)[index].bounds(); }
+
+    template <class W, real R>
+    crossing<W> crossings(const ray<R>& ray) const {
+        return (*of)[index].template crossings<W>(ray);
+    }
+    template <class W, real R, real N>
+    void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        (*of)[index].surface(ray, c, rec);
+    }
+
+    /// Room for N triangles of the same mesh, whose corners are fetched as they are needed.
+    template <std::size_t N>
+    class lanes {
+    public:
+        void set(std::size_t lane, const mesh_triangle& shape) { of_ = shape.of, indices_[lane] = shape.index; }
+        mesh_triangle get(std::size_t lane) const { return {of_, indices_[lane]}; }
+
+        triangle<pack<T, N>> shapes() const {
+            std::array<std::array<T, N>, 9> numbers;
+            for (std::size_t lane = 0; lane < N; ++lane) {
+                const auto& corners = of_->triangles[indices_[lane]];
+                for (std::size_t k = 0; k < 9; ++k) {
+                    numbers[k][lane] = of_->vertices[corners[k / 3]][static_cast<int>(k % 3)];
+                }
+            }
+            const auto corner = [&](std::size_t k) {
+                using numbers_type = pack<T, N>;
+                return vec3<numbers_type>(numbers_type::load(numbers[k].data()),
+                                          numbers_type::load(numbers[k + 1].data()),
+                                          numbers_type::load(numbers[k + 2].data()));
+            };
+            return {corner(0), corner(3), corner(6)};
+        }
+
+    private:
+        const mesh<T>* of_ = nullptr;
+        std::array<std::uint32_t, N> indices_{};
+    };
 };
 
 }  // namespace raio
