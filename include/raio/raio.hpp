@@ -10,6 +10,7 @@
 #include <raio/compose/mesh.hpp>
 #include <raio/compose/transformed.hpp>
 #include <raio/math/simd.hpp>
+#include <raio/shape/bilinear_patch.hpp>
 #include <raio/shape/box.hpp>
 #include <raio/shape/capsule.hpp>
 #include <raio/shape/convex_polyhedron.hpp>
