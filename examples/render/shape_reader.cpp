@@ -83,16 +83,6 @@ shape read_triangle(tokens& in, int) {
     return triangle;
 }
 
-shape read_bilinear_patch(tokens& in, int) {
-    constexpr auto what = "the corners of a bilinear patch";
-    const vec3 p00 = vector(in, what), p10 = vector(in, what), p01 = vector(in, what), p11 = vector(in, what);
-    const vec3 middle = raio::cross(p11 - p00, p01 - p10), side = raio::cross(p10 - p00, p01 - p00);
-    if (middle == vec3(0) && side == vec3(0)) {
-        in.fail("a bilinear patch without area", "corners that are not on one line");
-    }
-    return kept(raio::bilinear_patch<number>{p00, p10, p01, p11});
-}
-
 shape read_parallelogram(tokens& in, int) {
     const vec3 corner = vector(in, "the corner of a parallelogram");
     constexpr auto what = "the edges of a parallelogram";
@@ -182,6 +172,50 @@ shape read_regular_solid(tokens& in, int) {
     return made(raio::regular_solid<20>(center, radius));
 }
 
+/// A box that is more than a face.
+raio::box<number> read_clip(tokens& in, std::string_view of) {
+    const vec3 min = vector(in, joined({"the minimum of ", of})), max = vector(in, joined({"the maximum of ", of}));
+    if (!glm::all(glm::lessThan(min, max))) {
+        in.fail(joined({"a minimum that is not below the maximum of ", of}), "the lesser coordinates first");
+    }
+    return {min, max};
+}
+
+template <bool Closed>
+shape read_quadric(tokens& in, int) {
+    const auto [min, max] = read_clip(in, "the box of a quadric");
+    constexpr auto what = "the coefficients of a quadric";
+    const vec3 squares = vector(in, what), products = vector(in, what), linear = vector(in, what);
+    const number constant = in.expect_number(what);
+    if (squares == vec3(0) && products == vec3(0) && linear == vec3(0)) {
+        in.fail("a quadric that is the same everywhere", "coefficients that are not all 0");
+    }
+    return kept(raio::quadric<number, Closed>{min, max, squares, products, linear, constant});
+}
+
+template <bool Closed>
+shape read_algebraic(tokens& in, int) {
+    constexpr unsigned highest = 8;
+    const auto [min, max] = read_clip(in, "the box of an algebraic surface");
+    unsigned degree = 0;
+    const auto terms = section(in, "terms of an algebraic surface", [&] {
+        raio::algebraic_term<number> term{};
+        term.coefficient = in.expect_number("a coefficient of an algebraic surface");
+        for (unsigned* power : {&term.x, &term.y, &term.z}) {
+            constexpr requirement whole{"a whole number from 0 to 8",
+                                        [](double x) { return x >= 0 && x <= highest && x == std::floor(x); }};
+            *power = static_cast<unsigned>(in.expect_number("a power of an algebraic surface", whole));
+        }
+        const unsigned sum = term.x + term.y + term.z;
+        if (sum > highest) in.fail("a term of degree " + std::to_string(sum), "at most 8");
+        if (term.coefficient != 0) degree = std::max(degree, sum);
+        return term;
+    });
+    if (degree == 0) in.fail("an algebraic surface that is the same everywhere", "a term with a power above 0");
+    if (degree <= 4) return kept(raio::algebraic<number, 4, Closed>{min, max, terms});
+    return kept(raio::algebraic<number, highest, Closed>{min, max, terms});
+}
+
 /// What several solids are together, two by two, so that the tree of them is as flat as it can be.
 any_solid combined(std::span<const any_solid> parts, any_solid (*combine)(any_solid, any_solid)) {
     if (parts.size() == 1) return parts.front();
@@ -230,7 +264,6 @@ const by_name<shape_reading> shapes{
     {"box", read_box},
     {"cylinder", read_cylinder<raio::cylinder<number>>},
     {"open_cylinder", read_cylinder<raio::open_cylinder<number>>},
-    {"bilinear_patch", read_bilinear_patch},
     {"parallelogram", read_parallelogram},
     {"polyhedron", read_polyhedron},
     {"capsule", plain<raio::capsule<number>>("a capsule", point{"base"}, point{"top"}, measure{"radius"})},
@@ -241,6 +274,10 @@ const by_name<shape_reading> shapes{
     {"pyramid", read_pyramid},
     {"prism", read_prism},
     {"regular_solid", read_regular_solid},
+    {"quadric", read_quadric<true>},
+    {"open_quadric", read_quadric<false>},
+    {"algebraic", read_algebraic<true>},
+    {"open_algebraic", read_algebraic<false>},
     {"union", read_union},
     {"intersection", read_intersection},
     {"difference", read_difference},

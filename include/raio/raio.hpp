@@ -10,7 +10,7 @@
 #include <raio/compose/mesh.hpp>
 #include <raio/compose/transformed.hpp>
 #include <raio/math/simd.hpp>
-#include <raio/shape/bilinear_patch.hpp>
+#include <raio/shape/algebraic.hpp>
 #include <raio/shape/box.hpp>
 #include <raio/shape/capsule.hpp>
 #include <raio/shape/convex_polyhedron.hpp>
@@ -19,6 +19,7 @@
 #include <raio/shape/parallelogram.hpp>
 #include <raio/shape/plane.hpp>
 #include <raio/shape/polyhedra.hpp>
+#include <raio/shape/quadric.hpp>
 #include <raio/shape/ring.hpp>
 #include <raio/shape/sphere.hpp>
 #include <raio/shape/torus.hpp>

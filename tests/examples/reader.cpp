@@ -162,9 +162,6 @@ TEST_CASE("shapes that the course has not are read") {
     CHECK(tube.top == vec3(1, 2, 13));
     CHECK(tube.radius == 0.5);
 
-    const auto saddle = only_shape<raio::any_primitive<number>>("bilinear_patch 0 0 0  1 0 0  0 1 0  1 1 1");
-    CHECK(saddle.occluded(ray{{0.5, 0.25, 0}, {0, 0, 1}}, 0.125, 0.125));
-
     const auto wall = only_shape<raio::parallelogram<number>>("parallelogram 1 2 3  4 5 6  7 8 10");
     CHECK(wall.corner == vec3(1, 2, 3));
     CHECK(wall.edge_u == vec3(4, 5, 6));
@@ -188,6 +185,18 @@ TEST_CASE("shapes are read as the fields that raio has") {
     CHECK(same(solid("pyramid 4  -2 0 -2  2 0 -2  2 0 2  -2 0 2  0 2 0", beside), {{8, 9}}));
     CHECK(same(solid("prism 3  -2 0 -2  4 0 -2  -2 0 4  0 5 0", beside), {{8, 13}}));
     CHECK(same(solid("regular_solid 8  0 1 0  2", up), {{7, 11}}));
+
+    CHECK(same(solid("quadric -3 -3 -3  3 3 3  1 1 1  0 0 0  0 0 0  -4", up), {{6, 10}}));
+    CHECK(same(solid("quadric -9 -9 -9  9 9 9  0 0 0  0 0 1  0 1 0  0", up), {{-1, 8}}));
+    CHECK(same(solid("algebraic -3 -3 -3  3 3 3  2  1 0 4 0  -1 0 0 0", up), {{7, 9}}));
+    CHECK(same(solid("algebraic -3 -3 -3  3 3 3  2  -1 0 8 0  1 0 0 0", up), {{5, 7}, {9, 11}}));
+
+    const auto saddle =
+        only_shape<raio::any_primitive<number>>("open_quadric -3 -3 -3  3 3 3  0 0 0  0 0 1  0 -1 0  0");
+    CHECK_FALSE(saddle.occluded(ray{{0, 0, -8}, {0, 1, 0}}, 0, 9));
+    CHECK(saddle.occluded(ray{{2, -8, 1}, {0, 1, 0}}, 0, 9));
+    const auto plane = only_shape<raio::any_primitive<number>>("open_algebraic -3 -3 -3  3 3 3  1  1 0 1 0");
+    CHECK(plane.occluded(up, 8, 8));
 
     const auto ring = only_shape<raio::any_primitive<number>>("ring 0 1 0  0 2 0  1 3");
     CHECK(ring.occluded(ray{{2, 0, 0}, {0, 1, 0}}, 1, 1));

@@ -25,9 +25,9 @@ std::string repeated(std::string_view words, int times) {
 
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
-    "a shape: bilinear_patch, box, capsule, circle, cylinder, difference, disc, intersection, mesh, open_cylinder, "
-    "oriented_box, parallelogram, plane, polyhedron, prism, pyramid, regular_solid, ring, sphere, tetrahedron, torus, "
-    "triangle, union";
+    "a shape: algebraic, box, capsule, circle, cylinder, difference, disc, intersection, mesh, open_algebraic, "
+    "open_cylinder, open_quadric, oriented_box, parallelogram, plane, polyhedron, prism, pyramid, quadric, "
+    "regular_solid, ring, sphere, tetrahedron, torus, triangle, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -191,9 +191,6 @@ const bad_scene bad_objects[] = {
     {"a cylinder lower than the rounding of its base",
      {.objects = "1 0 0 cylinder 0 1e20 0 0 1 0 1 1"},
      "5: found a height that is lost in the rounding of the base, expected a higher cylinder"},
-    {"a bilinear patch without area",
-     {.objects = "1 0 0 bilinear_patch 0 0 0 1 2 3 2 4 6 3 6 9"},
-     "5: found a bilinear patch without area, expected corners that are not on one line"},
     {"a parallelogram without area",
      {.objects = "1 0 0 parallelogram 0 0 0 1 2 3 2 4 6"},
      "5: found a parallelogram without area, expected edges that are not on one line"},
@@ -230,6 +227,21 @@ const bad_scene bad_objects[] = {
     {"a box that is a line",
      {.objects = "1 0 0 box 0 0 0 1 0 0"},
      "5: found a box without area, expected sizes that are 0 along one axis at most"},
+    {"a quadric in a flat box",
+     {.objects = "1 0 0 quadric 0 0 0 1 0 1"},
+     "5: found a minimum that is not below the maximum of the box of a quadric, expected the lesser coordinates first"},
+    {"a quadric that is constant",
+     {.objects = "1 0 0 quadric 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 -1"},
+     "5: found a quadric that is the same everywhere, expected coefficients that are not all 0"},
+    {"an algebraic surface with half a power",
+     {.objects = "1 0 0 algebraic 0 0 0 1 1 1 1 1 0.5 0 0"},
+     "5: found '0.5', expected a whole number from 0 to 8 for a power of an algebraic surface"},
+    {"an algebraic surface of degree 9",
+     {.objects = "1 0 0 open_algebraic 0 0 0 1 1 1 1 1 3 3 3"},
+     "5: found a term of degree 9, expected at most 8"},
+    {"an algebraic surface without terms",
+     {.objects = "1 0 0 algebraic 0 0 0 1 1 1 0"},
+     "5: found an algebraic surface that is the same everywhere, expected a term with a power above 0"},
     {"a polyhedron without planes",
      {.objects = "1 0 0 polyhedron 0"},
      "5: found a polyhedron without planes, expected at least one"},

@@ -1,0 +1,185 @@
+#pragma once
+
+#include <raio/crossing_list.hpp>
+#include <raio/math/polynomial_product.hpp>
+
+/// \file
+/// Where a line crosses an algebraic surface f(p) = 0, whose solid is where f is negative.
+///
+/// Along a line f is a polynomial. Its coefficients are those of a part of the line that lies near the shape and has
+/// its size: p(x) = from + x along, t = middle + x half. So no power of a far origin cancels, and all that counts lies
+/// between x = -1 and 1. How far each coefficient may be off is carried along, and the roots (see polynomial.hpp) are
+/// as certain as their signs are beyond that.
+
+namespace raio {
+
+/// The part of a line that passes a ball; the point at x is seen from some base, where the shape's x = y = z = 0.
+template <class W>
+struct line_part {
+    using E = bound_t<W>;
+
+    bool exists, certain;  ///< does it pass the ball, and is that right whatever the rounding errors were?
+    vec3<W> from{W(0)}, along{W(0)};
+    vec3<E> error{E(0)};  ///< how far `from` may be off
+    W middle{0}, half{0};
+
+    /// One coordinate of the point, as a polynomial in x.
+    RAIO_FN constexpr polynomial<W, 1> coordinate(glm::length_t axis) const {
+        return {{from[axis], along[axis]}, {error[axis], E(2 * unit_roundoff<W>) * abs(E(along[axis]))}};
+    }
+
+    RAIO_FN constexpr crossing<W> at(const polynomial_root<W>& root, bool entering) const {
+        W step = half * root.t;
+        E rounding = E(4 * unit_roundoff<W>) * (abs(E(middle)) + abs(E(step)));
+        return {true, true, middle + step, E(half) * root.error + rounding, entering};
+    }
+};
+
+/// \param center  of the ball, as near to it as 2^-12 of the radius
+template <class W, real R, real T>
+RAIO_FN constexpr line_part<W> part_near(const ray<R>& ray, const vec3<T>& base, const vec3<W>& center,
+                                         const W& radius) {
+    using E = bound_t<W>;
+    constexpr double u = unit_roundoff<W>;
+    vec3<W> o(ray.origin), d(ray.direction), l = center - o, moment = cross(l, d);
+    line_part<W> part{false, true};
+    W d2 = dot(d, d);
+    if (!(d2 >= W(least_normal<W>)) || !(radius > W(0))) return part;
+    // A little more than the ball, so that whatever it contains is clearly within.
+    W size = radius * W(1 + 0x1p-8);
+    part.middle = dot(l, d) / d2, part.half = size / sqrt(d2);
+    vec3<W> step = d * part.middle;
+    part.from = (o - vec3<W>(base)) + step, part.along = d * part.half;
+    part.error = (abs(vec3<E>(o)) + abs(vec3<E>(vec3<W>(base))) + abs(vec3<E>(step))) * E(4 * u);
+    E lost = norm1(part.error) + E(8 * u) * norm1(vec3<E>(l));
+    if (!(part.half >= W(least_normal<W>)) || !is_finite(E(part.half)) || !is_finite(lost)) return part;
+    // Too far away to be told from its centre.
+    if (!(lost < E(0x1p-13) * E(size))) {
+        part.certain = false;
+        return part;
+    }
+    part.exists = dot(moment, moment) <= d2 * size * size;
+    return part;
+}
+
+/// What is told of the roots of f along a part of a line.
+template <class W, std::size_t N>
+struct roots_along {
+    polynomial_roots<W, N> roots;
+    bool begins_inside;  ///< is f negative, or may it be, before the first of them?
+};
+
+/// The roots of f in [low, high]; none and nothing inside, and that not certain, if f is out of range.
+template <class W, std::size_t N>
+RAIO_FN constexpr roots_along<W, N> find_roots(const polynomial<W, N>& f, const W& low, const W& high) {
+    using E = bound_t<W>;
+    roots_along<W, N> found{roots_between(f, low, high), false};
+    if (!is_finite(f.noise()(E(1)))) return found;
+    found.begins_inside = found.roots.count == 0 ? f(low) <= W(0) : found.roots.begin()->before <= 0;
+    return found;
+}
+
+namespace detail {
+
+/// What cannot be told from t = 0 is there: a ray that starts on the surface.
+template <class W, std::size_t N>
+RAIO_FN constexpr void start_at_origin(crossing_list<W, N>& list) {
+    for (std::size_t i = 0; i < list.count; ++i) {
+        crossing<W>& c = list.crossings[i];
+        const bound_t<W> away = abs(bound_t<W>(c.t));
+        if (away <= c.error) c.error += away, c.t = W(0);
+    }
+}
+
+/// The places x that lie between the ends of a chord, and a little beyond it.
+template <class W>
+RAIO_FN constexpr vec2<W> range_of(const chord<W>& clip, const line_part<W>& part) {
+    W over_half = W(1) / part.half, more(0x1p-6);
+    return {max(W(-1), (clip.near.t - part.middle) * over_half - more),
+            min(W(1), (clip.far.t - part.middle) * over_half + more)};
+}
+
+}  // namespace detail
+
+/// At most as many crossings as a polynomial of degree N has roots, or a pair for each part of a solid that a convex
+/// one cuts off.
+template <class W, std::size_t N>
+using crossings_of_degree = crossing_list<W, N + 2 + N % 2>;
+
+/// The solid where f <= 0, as far as it is within a convex one, whose faces close it.
+template <class W, std::size_t N>
+RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W, N>& f, const line_part<W>& part,
+                                                             const chord<W>& clip) {
+    using E = bound_t<W>;
+    const vec2<W> range = detail::range_of(clip, part);
+    const auto [roots, begins_inside] = find_roots(f, range.x, range.y);
+    crossings_of_degree<W, N> list;
+    list.certain = roots.certain;
+    const auto append = [&](const chord<W>& inside) {
+        chord<W> c = intersect(inside, clip);
+        list.certain = list.certain && c.near.certain;
+        // A chord that cannot be told from a point is one: edges and tangents belong to the solid.
+        if (!(E(c.far.t - c.near.t) >= -(c.near.error + c.far.error)) || list.count + 2 > list.crossings.size()) return;
+        c.near.exists = c.far.exists = true;
+        list.crossings[list.count++] = c.near;
+        list.crossings[list.count++] = c.far;
+    };
+    const chord<W> line = everywhere<W>();
+    chord<W> inside = line;
+    bool within = begins_inside;
+    for (const polynomial_root<W>& root : roots) {
+        // Where f is zero to the end of the range, that counts as inside.
+        const bool touches = root.before * root.after > 0, goes_on = root.after <= 0;
+        if (!within) inside.near = part.at(root, true);
+        if (!goes_on || (within && touches)) {
+            inside.far = part.at(root, false);
+            append(inside);
+            inside = line;
+            if (goes_on) inside.near = part.at(root, true);
+        }
+        within = goes_on;
+    }
+    if (within) append(inside);
+    detail::start_at_origin(list);
+    return list;
+}
+
+/// The surface where f = 0, as far as it is within a convex solid. A line that lies in the surface is nowhere crossing
+/// it.
+template <class W, std::size_t N>
+RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N>& f, const line_part<W>& part,
+                                                           const chord<W>& clip) {
+    using E = bound_t<W>;
+    const vec2<W> range = detail::range_of(clip, part);
+    const auto [roots, begins_inside] = find_roots(f, range.x, range.y);
+    crossings_of_degree<W, N> list;
+    list.certain = roots.certain && clip.near.certain;
+    for (const polynomial_root<W>& root : roots) {
+        if (root.before * root.after == 0) continue;
+        crossing<W> c = part.at(root, root.before > 0);
+        E before(c.t - clip.near.t), before_error = c.error + clip.near.error;
+        E after(clip.far.t - c.t), after_error = c.error + clip.far.error;
+        if (before < -before_error || after < -after_error) continue;
+        list.certain = list.certain && before > before_error && after > after_error;
+        list.append(c.t, c.error, root);
+    }
+    detail::start_at_origin(list);
+    return list;
+}
+
+/// Records a point of the surface and the normal along the gradient of f, which points outwards. Where f has none, at a
+/// tip or where sheets cross, or none but its rounding, the surface is seen face on.
+/// \param bend  as for `record_point`
+template <real T, real N, real R, class W>
+RAIO_FN constexpr void record_gradient(const ray<R>& ray, const crossing<W>& c, const vec3<W>& gradient, T bend,
+                                       hit_record<T, N>& rec) {
+    using Q = quick_t<N>;
+    record_point(ray, c, rec, bend);
+    vec3<Q> direction(normalize(vec3<Q>(vec3<W>(ray.direction)))), outward(scaled_into_range<Q>(vec3<Q>(gradient)));
+    Q steep = length(outward);
+    vec3<Q> normal = outward * quotient(Q(c.entering ? 1 : -1), steep, Q(0));
+    const bool against = steep > Q(0) && dot(normal, direction) <= Q(unit_roundoff<T>);
+    rec.normal = vec3<N>(against ? normal : -direction);
+}
+
+}  // namespace raio

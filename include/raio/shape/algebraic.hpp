@@ -1,0 +1,151 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <raio/algebraic_crossing.hpp>
+#include <raio/shape/box.hpp>
+
+namespace raio {
+
+/// coefficient * x^x y^y z^z: `{3, 2, 0, 1}` is 3 x^2 z.
+template <real T>
+struct algebraic_term {
+    T coefficient;
+    unsigned x, y, z;  ///< the powers
+};
+
+/// The points of a box at which f, the sum of the terms, is zero or below: a solid that the faces of the box close, or,
+/// if it is not `Closed`, only the surface f = 0 as far as it lies in the box.
+///
+/// Along a line f is a polynomial, whose roots are found one between each two roots of its derivative (as in Hanrahan,
+/// SIGGRAPH 1983, who isolates them by Descartes' rule). Where the gradient of f vanishes, at a tip or where sheets
+/// cross, the normal is against the ray.
+///
+/// x, y and z are those of the point itself: write the surface about the origin and move it by `transformed`, or the
+/// terms cancel. uv: x and y of the point, from 0 at `min` to 1 at `max`; on the faces of the box as those of `box`.
+/// \tparam Degree  the highest degree of a term, counted in all three; a surface with one of a higher degree is missed
+/// \tparam Terms   any contiguous range
+template <real T, std::size_t Degree, bool Closed = true, class Terms = std::vector<algebraic_term<T>>>
+struct algebraic {
+    using number = T;
+
+    vec3<T> min, max;  ///< opposite corners of the box; missed unless each size is positive
+    Terms terms;       ///< missed if there is none but with zeros
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const requires(Closed) { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{min, max}); }
+
+    /// f at a point.
+    template <class W>
+    RAIO_FN constexpr W value(const vec3<W>& p) const {
+        W sum(0);
+        for (const algebraic_term<T>& term : terms) {
+            sum += W(term.coefficient) * power(p.x, term.x) * power(p.y, term.y) * power(p.z, term.z);
+        }
+        return sum;
+    }
+
+    template <class W>
+    RAIO_FN constexpr vec3<W> gradient(const vec3<W>& p) const {
+        vec3<W> sum(W(0));
+        for (const algebraic_term<T>& term : terms) {
+            W c(term.coefficient), x = power(p.x, term.x), y = power(p.y, term.y), z = power(p.z, term.z);
+            if (term.x > 0) sum.x += c * W(term.x) * power(p.x, term.x - 1) * y * z;
+            if (term.y > 0) sum.y += c * W(term.y) * power(p.y, term.y - 1) * z * x;
+            if (term.z > 0) sum.z += c * W(term.z) * power(p.z, term.z - 1) * x * y;
+        }
+        return sum;
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr crossings_of_degree<W, Degree> crossings(const ray<R>& ray) const {
+        crossings_of_degree<W, Degree> list;
+        chord<W> clip = box<T>{min, max}.template crossings<W>(ray);
+        list.certain = clip.near.certain;
+        using E = bound_t<W>;
+        E length(clip.far.t - clip.near.t), slack = clip.near.error + clip.far.error;
+        if (!is_sound() || !is_finite(ray.origin) || !is_finite(ray.direction) || !is_finite(length) || length < -slack)
+            return list;
+
+        vec3<W> low(min), high(max), size = high - low;
+        const auto part = part_near(ray, vec3<T>(T(0)), vec3<W>((low + high) * W(0.5)), W(raio::length(size) * W(0.5)));
+        list.certain = list.certain && part.certain;
+        if (!part.exists) return list;
+        clip.near.face = clip.far.face = index_t<W>(1);
+        if constexpr (Closed) {
+            return closed_crossings(along<W>(part), part, clip);
+        } else {
+            return open_crossings(along<W>(part), part, clip);
+        }
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        const box<T> box{min, max};
+        if (c.face != index_t<W>(0)) {
+            const chord<W> clip = box.template crossings<W>(ray);
+            crossing<W> on_box = c;
+            on_box.face = c.entering ? clip.near.face : clip.far.face;
+            box.surface(ray, on_box, rec);
+            return;
+        }
+        vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t;
+        record_gradient(ray, c, gradient(p), raio::length(max - min), rec);
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            rec.point[axis] = raio::max(min[axis], raio::min(max[axis], rec.point[axis]));
+        }
+        vec3<T> place = (rec.point - min) / (max - min);
+        rec.uv = {raio::min(T(1), place.x), raio::min(T(1), place.y)};
+    }
+
+private:
+    template <class W>
+    RAIO_FN static constexpr W power(const W& x, unsigned n) {
+        W product(1);
+        for (unsigned i = 0; i < n; ++i) product *= x;
+        return product;
+    }
+
+    RAIO_FN constexpr bool is_sound() const {
+        bool is_zero = true, is_in_degree = true;
+        for (const algebraic_term<T>& term : terms) {
+            if (term.coefficient == T(0)) continue;
+            is_zero = false;
+            is_in_degree = is_in_degree && term.x + term.y + term.z <= Degree;
+        }
+        vec3<T> size = max - min;
+        return !is_zero && is_in_degree && size.x > T(0) && size.y > T(0) && size.z > T(0) && is_finite(size);
+    }
+
+    /// f along the line.
+    template <class W>
+    RAIO_FN constexpr polynomial<W, Degree> along(const line_part<W>& part) const {
+        const std::array point{part.coordinate(0), part.coordinate(1), part.coordinate(2)};
+        polynomial<W, Degree> sum;
+        for (const algebraic_term<T>& term : terms) {
+            if (term.coefficient == T(0)) continue;
+            polynomial<W, Degree> p{{W(term.coefficient)}};
+            for (unsigned i = 0; i < term.x; ++i) p = product<Degree>(p, point[0]);
+            for (unsigned i = 0; i < term.y; ++i) p = product<Degree>(p, point[1]);
+            for (unsigned i = 0; i < term.z; ++i) p = product<Degree>(p, point[2]);
+            sum = sum + p;
+        }
+        return sum;
+    }
+};
+
+/// The surface alone.
+template <real T, std::size_t Degree, class Terms = std::vector<algebraic_term<T>>>
+using open_algebraic = algebraic<T, Degree, false, Terms>;
+
+}  // namespace raio

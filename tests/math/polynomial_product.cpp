@@ -1,0 +1,62 @@
+#include <raio/math/polynomial_product.hpp>
+
+#include <doctest/doctest.h>
+
+#include "support/oracle.hpp"
+#include "support/random.hpp"
+
+namespace raio::test {
+
+namespace {
+
+/// With coefficients of all sizes, some of them zero, and each off by up to its error.
+template <class W, std::size_t N>
+polynomial<W, N> random_polynomial(random_numbers& random, polynomial<oracle, N>& meant) {
+    using E = bound_t<W>;
+    polynomial<W, N> p;
+    for (std::size_t k = 0; k <= N; ++k) {
+        const double size = random.one_in(4) ? 0 : random.log_uniform(1e-20, 1e20) * (random.one_in(2) ? 1 : -1);
+        const double error = random.one_in(2) ? 0 : random.log_uniform(1e-20, 1e10);
+        p.coefficient[k] = W(size);
+        p.error[k] = E(error);
+        meant.coefficient[k] = oracle(size) + oracle(error) * (random.one_in(2) ? 1 : random.uniform(-1, 1));
+    }
+    return p;
+}
+
+/// Up to the roundings of the bounds themselves.
+template <class W, std::size_t N>
+bool contains(const polynomial<W, N>& p, const polynomial<oracle, N>& meant) {
+    for (std::size_t k = 0; k <= N; ++k) {
+        if (abs(exactly(p.coefficient[k]) - meant.coefficient[k]) > exactly(p.error[k]) * (1 + 1e-14)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("polynomial_product: a product by hand") {
+    const polynomial<double, 2> a{{1, 2, 3}};
+    const polynomial<double, 1> b{{4, 5}};
+    CHECK(product<3>(a, b).coefficient == std::array{4.0, 13.0, 22.0, 15.0});
+    CHECK(product<2>(a, b).coefficient == std::array{4.0, 13.0, 22.0});
+    CHECK((product<3>(a, b) + product<3>(b, a)).coefficient == std::array{8.0, 26.0, 44.0, 30.0});
+}
+
+TEST_CASE_TEMPLATE("polynomial_product: the errors bound what the coefficients may be", W, strict_double,
+                   double_double) {
+    random_numbers random(9);
+    for (int i = 0; i < 20'000; ++i) {
+        polynomial<oracle, 3> exact_a, exact_b;
+        polynomial<oracle, 2> exact_c;
+        const auto a = random_polynomial<W>(random, exact_a), b = random_polynomial<W>(random, exact_b);
+        const auto c = random_polynomial<W>(random, exact_c);
+        REQUIRE(contains(a + b, exact_a + exact_b));
+        REQUIRE(contains(product<5>(a, c), product<5>(exact_a, exact_c)));
+        REQUIRE(contains(product<4>(c, c), product<4>(exact_c, exact_c)));
+        REQUIRE(
+            contains(product<4>(a + b, product<4>(c, c)), product<4>(exact_a + exact_b, product<4>(exact_c, exact_c))));
+    }
+}
+
+}  // namespace raio::test
