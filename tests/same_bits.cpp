@@ -131,6 +131,12 @@ std::vector<std::uint64_t> checksums() {
         checksum_of_hits<T>([](numbers& n) {
             return parallelogram<T>{n.point<T>(1), n.point<T>(1), n.point<T>(1)};
         }),
+        checksum_of_hits<T>([](numbers& n) {
+            return frustum<T>{n.point<T>(1), n.point<T>(1), n.length<T>(), n.length<T>()};
+        }),
+        checksum_of_hits<T>([](numbers& n) {
+            return open_cone<T>{n.point<T>(1), n.point<T>(1), n.length<T>()};
+        }),
     };
 }
 

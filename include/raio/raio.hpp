@@ -13,9 +13,11 @@
 #include <raio/shape/algebraic.hpp>
 #include <raio/shape/box.hpp>
 #include <raio/shape/capsule.hpp>
+#include <raio/shape/cone.hpp>
 #include <raio/shape/convex_polyhedron.hpp>
 #include <raio/shape/cylinder.hpp>
 #include <raio/shape/disc.hpp>
+#include <raio/shape/frustum.hpp>
 #include <raio/shape/parallelogram.hpp>
 #include <raio/shape/plane.hpp>
 #include <raio/shape/polyhedra.hpp>

@@ -1,4 +1,5 @@
 #include "support/boxes.hpp"
+#include "support/cones.hpp"
 #include "support/cylinders.hpp"
 #include "support/discs.hpp"
 #include "support/packs.hpp"
@@ -29,6 +30,9 @@ TEST_CASE_TEMPLATE("packs: parallelogram", T, float, double) { check_packs<paral
 TEST_CASE_TEMPLATE("packs: box", T, float, double) { check_packs<box<T>>(0.1); }
 TEST_CASE_TEMPLATE("packs: cylinder", T, float, double) { check_packs<cylinder<T>>(); }
 TEST_CASE_TEMPLATE("packs: open cylinder", T, float, double) { check_packs<open_cylinder<T>>(); }
+TEST_CASE_TEMPLATE("packs: cone", T, float, double) { check_packs<cone<T>>(); }
+TEST_CASE_TEMPLATE("packs: open cone", T, float, double) { check_packs<open_cone<T>>(); }
+TEST_CASE_TEMPLATE("packs: frustum", T, float, double) { check_packs<frustum<T>>(); }
 TEST_CASE_TEMPLATE("packs: convex polyhedron", T, float, double) { check_packs<convex_polyhedron<T>>(); }
 
 }  // namespace raio::test

@@ -32,6 +32,10 @@ template <class Shape>
 inline constexpr bool is_flat = !solid<Shape>;
 template <class T>
 inline constexpr bool is_flat<open_cylinder<T>> = false;
+template <class T>
+inline constexpr bool is_flat<open_cone<T>> = false;
+template <class T>
+inline constexpr bool is_flat<open_frustum<T>> = false;
 
 /// Does a line that has left the shape never meet it again?
 template <class Shape>

@@ -1,10 +1,8 @@
 #pragma once
 
+#include <raio/axial_crossing.hpp>
 #include <raio/concepts.hpp>
-#include <raio/math/angle.hpp>
-#include <raio/math/frame.hpp>
 #include <raio/math/quadratic.hpp>
-#include <raio/plane_crossing.hpp>
 #include <raio/surface_sample.hpp>
 
 /// \file
@@ -82,53 +80,12 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
             {exists, certain, select(parallel, infinity<W>, t.y), error, !exists}};
 }
 
-/// The chord through the slab between the two planes that the caps lie in.
-template <class W, real T, real R>
-RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
-    vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base);
-    auto above_base = height_above<W>(axis, base, ray.origin), above_top = height_above<W>(axis, top, ray.origin);
-    crossing<W> low = cross_plane(axis, d, above_base.value, above_base.error);
-    crossing<W> high = cross_plane(axis, d, above_top.value, above_top.error);
-
-    const mask_t<W> parallel = !low.exists, upward = !low.entering, yes = W(0) == W(0);
-    const mask_t<W> between =
-        every(above_base.value >= -tie<W>(above_base.error), above_top.value <= tie<W>(above_top.error));
-    const mask_t<W> exists = some(!parallel, between);
-    const mask_t<W> decided = every(abs(above_base.value) > above_base.error, abs(above_top.value) > above_top.error);
-    const mask_t<W> certain = every(low.certain, high.certain, some(!parallel, decided));
-    W near = select(parallel, -infinity<W>, min(low.t, high.t));
-    W far = select(parallel, infinity<W>, max(low.t, high.t));
-    bound_t<W> error = max(low.error, high.error);
-    const index_t<W> base_face(1), top_face(2);
-    return {{exists, certain, near, error, yes, select(upward, base_face, top_face)},
-            {exists, certain, far, error, !yes, select(upward, top_face, base_face)}};
-}
-
-/// What both cylinders record: the normal and uv of the face that was hit.
+/// What both cylinders record.
 template <class W, real T, real R, real N>
 RAIO_FN constexpr void cylinder_surface(const vec3<T>& base, const vec3<T>& top, T radius, const ray<R>& ray,
                                         const crossing<W>& c, hit_record<T, N>& rec) {
-    using Q = quick_t<N>;
-    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
-    vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;
-    W axis2 = dot(axis, axis), along = dot(from_base, axis);
-    vec3<Q> up = normalize_from<T>(vec3<Q>(axis)), from_axis(from_base - axis * (along / axis2));
-    Q distance = length(from_axis), zero(0);
-    const mask_t<T> side = c.face == index_t<T>(0);
-    vec3<Q> sideways = from_axis * quotient(Q(1), distance, zero);
-    vec3<Q> outward = select(side, sideways, up * select(c.face == index_t<T>(1), Q(-1), Q(1)));
-
-    record_point(ray, c, rec, radius);
-    rec.normal = vec3<N>(outward * select(c.entering, Q(1), Q(-1)));
-    const frame<Q> f = frame_about(up);
-    const T height = T(along / axis2), rho = T(distance) / radius;
-    rec.uv = {turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))), max(T(0), min(T(1), select(side, height, rho)))};
-}
-
-template <real T>
-RAIO_FN constexpr aabb<T> cylinder_bounds(const vec3<T>& base, const vec3<T>& top, T radius) {
-    vec3<T> reach = disc_reach(top - base, radius);
-    return padded(hull(aabb<T>{base - reach, base + reach}, aabb<T>{top - reach, top + reach}));
+    axial_surface(base, top, vec2<T>(radius), radius, ray, c, rec,
+                  [](const vec3<W>& from_axis, const W&) { return from_axis; });
 }
 
 }  // namespace detail
@@ -151,7 +108,7 @@ struct cylinder {
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::cylinder_bounds(base, top, radius); }
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(radius)); }
 
     RAIO_FN constexpr T area() const { return T(2 * pi<T>) * radius * (length(top - base) + radius); }
 
@@ -206,7 +163,7 @@ struct open_cylinder {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::cylinder_bounds(base, top, radius); }
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(radius)); }
 
     RAIO_FN constexpr T area() const { return T(2 * pi<T>) * radius * length(top - base); }
 
@@ -223,18 +180,8 @@ struct open_cylinder {
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
-        const auto within = [&](crossing<W> c) {
-            W before = c.t - slab.near.t, after = slab.far.t - c.t;
-            bound_t<W> before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
-            const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
-            const mask_t<W> between = every(before > before_error, after > after_error);
-            c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
-            c.exists =
-                every(c.exists, slab.near.exists, before >= -tie<W>(before_error), after >= -tie<W>(after_error));
-            return c;
-        };
         chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);
-        return {within(endless.near), within(endless.far)};
+        return {detail::within(slab, endless.near), detail::within(slab, endless.far)};
     }
 
     template <class W, real R, real N>

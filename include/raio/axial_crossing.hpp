@@ -1,0 +1,82 @@
+#pragma once
+
+#include <raio/math/angle.hpp>
+#include <raio/math/frame.hpp>
+#include <raio/plane_crossing.hpp>
+
+/// \file
+/// What the shapes about an axis share: they stand between the two planes across its ends, and their faces are counted
+/// side, base, top.
+
+namespace raio::detail {
+
+/// The chord through the slab between the two planes that the caps lie in.
+template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
+    vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base);
+    auto above_base = height_above<W>(axis, base, ray.origin), above_top = height_above<W>(axis, top, ray.origin);
+    crossing<W> low = cross_plane(axis, d, above_base.value, above_base.error);
+    crossing<W> high = cross_plane(axis, d, above_top.value, above_top.error);
+
+    const mask_t<W> parallel = !low.exists, upward = !low.entering, yes = W(0) == W(0);
+    const mask_t<W> between =
+        every(above_base.value >= -tie<W>(above_base.error), above_top.value <= tie<W>(above_top.error));
+    const mask_t<W> exists = some(!parallel, between);
+    const mask_t<W> decided = every(abs(above_base.value) > above_base.error, abs(above_top.value) > above_top.error);
+    const mask_t<W> certain = every(low.certain, high.certain, some(!parallel, decided));
+    W near = select(parallel, -infinity<W>, min(low.t, high.t));
+    W far = select(parallel, infinity<W>, max(low.t, high.t));
+    bound_t<W> error = max(low.error, high.error);
+    const index_t<W> base_face(1), top_face(2);
+    return {{exists, certain, near, error, yes, select(upward, base_face, top_face)},
+            {exists, certain, far, error, !yes, select(upward, top_face, base_face)}};
+}
+
+/// The crossing, if it lies in the slab: what an open side keeps of those of the endless surface.
+template <class W>
+RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
+    W before = c.t - slab.near.t, after = slab.far.t - c.t;
+    bound_t<W> before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
+    const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
+    const mask_t<W> between = every(before > before_error, after > after_error);
+    c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
+    c.exists = every(c.exists, slab.near.exists, before >= -tie<W>(before_error), after >= -tie<W>(after_error));
+    return c;
+}
+
+/// What all of them record: the normal and uv of the face that was hit.
+/// \param radii          of the two caps
+/// \param bend           how far the side curves at most
+/// \param side_gradient  outwards across the side, of any length, from the vector from the axis and the height there
+template <class W, real T, real R, real N, class SideGradient>
+RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, T bend,
+                                     const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec,
+                                     SideGradient side_gradient) {
+    using Q = quick_t<N>;
+    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+    vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;
+    W axis2 = dot(axis, axis), height = dot(from_base, axis) / axis2;
+    vec3<W> across = from_base - axis * height;
+    vec3<Q> up = normalize_from<T>(vec3<Q>(axis)), from_axis(across);
+    vec3<Q> gradient = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
+    const mask_t<T> side = c.face == index_t<T>(0), low = c.face == index_t<T>(1);
+    vec3<Q> sideways = gradient * quotient(Q(1), length(gradient), Q(0));
+    vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
+
+    record_point(ray, c, rec, bend);
+    rec.normal = vec3<N>(outward * select(c.entering, Q(1), Q(-1)));
+    const frame<Q> f = frame_about(up);
+    const T rho = quotient(T(length(from_axis)), select(low, radii.x, radii.y), T(0));
+    rec.uv = {turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))),
+              max(T(0), min(T(1), select(side, T(height), rho)))};
+}
+
+/// Around two discs across one axis, and what may have been rounded off a point at their planes.
+template <real T>
+RAIO_FN constexpr aabb<T> axial_bounds(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
+    vec3<T> axis = top - base, rounding(norm1(axis) * T(unit_roundoff<T>));
+    vec3<T> low = disc_reach(axis, radii.x) + rounding, high = disc_reach(axis, radii.y) + rounding;
+    return padded(hull(aabb<T>{base - low, base + low}, aabb<T>{top - high, top + high}));
+}
+
+}  // namespace raio::detail

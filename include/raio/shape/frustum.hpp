@@ -1,0 +1,201 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/quadric_crossing.hpp>
+#include <raio/surface_sample.hpp>
+
+/// \file
+/// Both frusta, cones cut off across their axis: with its caps one is a solid, without them a funnel.
+///
+/// From the end with the lesser radius r on, with the other radius R and the height h = 0 to 1, the side is at rho =
+/// r + (R - r) h from the axis: a quadric of revolution, for which see quadric_crossing.hpp. It has a second nappe
+/// beyond its apex. A line that is steeper than the generators crosses both, and is inside of this one from its
+/// crossing on, in the direction in which the radius grows.
+///
+/// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
+/// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
+/// the axis over the cap's radius.
+
+namespace raio {
+
+namespace detail {
+
+/// The chord through the one nappe, endless at its wide end.
+template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
+                                       const ray<R>& ray) {
+    using E = bound_t<W>;
+    constexpr double u = unit_roundoff<W>, least = least_normal<W>;
+    const mask_t<T> turned = radii.y < radii.x;
+    const T lesser = min(radii.x, radii.y), larger = max(radii.x, radii.y);
+    vec3<W> from(select(turned, top, base)), axis = vec3<W>(select(turned, base, top)) - from, d(ray.direction);
+    vec3<W> to_center = from - vec3<W>(ray.origin);
+    W r(lesser), widening = W(larger) - r, radius(larger);
+    revolved_quadric<W> cone{
+        axis, r * r, W(2) * r * widening, widening * widening, W(0), norm1(vec3<E>(axis)) + E(radius)};
+    E far = norm1(vec3<E>(to_center)), farther = far + norm1(vec3<E>(axis));
+    quadric_chord<W> c = cross_quadric(cone, to_center, far, d);
+
+    // A radius that the last precision cannot tell from none leaves no normal: such a frustum is missed.
+    E resolved = tie<W>(E(0x1p30 * u * u) * (farther * farther));
+    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0), E(radius) * E(radius) >= E(least) + resolved),
+                    yes = W(0) == W(0);
+    const mask_t<W> forward = every(c.hollow, dot(d, axis) > W(0)), back = every(c.hollow, !forward);
+    crossing<W> near = c.ends.near, far_end = c.ends.far;
+    near.t = select(forward, c.ends.far.t, select(back, -infinity<W>, near.t));
+    far_end.t = select(back, c.ends.near.t, select(forward, infinity<W>, far_end.t));
+    near.exists = far_end.exists = every(near.exists, sound);
+    near.entering = yes;
+    far_end.entering = !yes;
+    return {near, far_end};
+}
+
+/// What both frusta record.
+template <class W, real T, real R, real N>
+RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, const ray<R>& ray,
+                                       const crossing<W>& c, hit_record<T, N>& rec) {
+    using E = bound_t<W>;
+    vec3<W> axis = vec3<W>(top) - vec3<W>(base), d(ray.direction);
+    W axis2 = dot(axis, axis), r(radii.x), widening = W(radii.y) - r;
+    const auto gradient = [&](const vec3<W>& from_axis, const W& height) {
+        vec3<W> off = from_axis - axis * (widening * (r + widening * height) / axis2);
+        // At its apex a cone has no normal. Seen along the axis it looks like a plane; a ray that only touches it there
+        // comes from the side.
+        const W side = select(c.entering, W(1), W(-1));
+        vec3<W> tip = axis * copysign(W(1), -widening);
+        W forward = max(W(0), dot(tip, d) * side) * side;
+        tip = tip - d * (forward / dot(d, d));
+        return select(norm1(vec3<E>(from_axis)) <= norm1(vec3<E>(d)) * c.error, tip, off);
+    };
+    const T bend = max(radii.x, radii.y) + norm1(vec3<T>(axis));
+    axial_surface(base, top, radii, bend, ray, c, rec, gradient);
+}
+
+/// The area of the side, and the point of it that `u` chooses: u.x turns about the axis, u.y is the area between the
+/// base and the point.
+template <real T>
+RAIO_FN constexpr T frustum_side(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
+    const vec3<T> axis = top - base;
+    const T widening = radii.y - radii.x;
+    return T(pi<T>) * (radii.x + radii.y) * sqrt(dot(axis, axis) + widening * widening);
+}
+template <real T>
+RAIO_FN constexpr surface_sample<T> sample_frustum_side(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
+                                                        const vec2<T>& u) {
+    vec3<T> axis = top - base;
+    const T size = length(axis), low2 = radii.x * radii.x, high2 = radii.y * radii.y;
+    const T widening = radii.y - radii.x, rho = sqrt(low2 + u.y * (high2 - low2));
+    // (rho - radii.x) / widening, and u.y where the radii are equal.
+    const T height = min(T(1), u.y * (radii.x + radii.y) / (rho + radii.x));
+    const frame<T> f = frame_about(axis / size);
+    const T phi = T(2 * pi<T>) * u.x;
+    vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
+    return {base + axis * height + outwards * rho, normalize(outwards * size - f.z * widening)};
+}
+
+}  // namespace detail
+
+/// The points between two discs across one axis: closed, a solid.
+template <real T>
+struct frustum {
+    using number = T;
+
+    vec3<T> base, top;          ///< the centres of the two caps
+    T base_radius, top_radius;  ///< lengths; the frustum is missed unless one is positive and none is negative
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, radii()); }
+
+    RAIO_FN constexpr T area() const {
+        return detail::frustum_side(base, top, radii()) +
+               T(pi<T>) * (base_radius * base_radius + top_radius * top_radius);
+    }
+
+    /// u.x chooses among the side, the base and the top, and what is left of it is the angle.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::same_as<mask_t<T>, bool>) {
+        const T side = detail::frustum_side(base, top, radii()), low = T(pi<T>) * base_radius * base_radius,
+                high = T(pi<T>) * top_radius * top_radius;
+        T left = u.x * (side + low + high);
+        if (left < side) return detail::sample_frustum_side(base, top, radii(), {left / side, u.y});
+        left -= side;
+        const bool on_top = left >= low;
+        const frame<T> f = frame_about(normalize(top - base));
+        const T phi = T(2 * pi<T>) * (on_top ? quotient(left - low, high, T(0)) : left / low), rho = sqrt(u.y);
+        vec3<T> across = f.x * cos(phi) + f.y * sin(phi);
+        if (on_top) return {top + across * (rho * top_radius), f.z};
+        return {base + across * (rho * base_radius), -f.z};
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+        chord<W> c =
+            intersect(detail::cross_nappe<W>(base, top, radii(), ray), detail::cross_cap_planes<W>(base, top, ray));
+        keep_if_reachable<T>(ray, c.near);
+        keep_if_reachable<T>(ray, c.far);
+        return c;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        detail::frustum_surface(base, top, radii(), ray, c, rec);
+    }
+
+private:
+    RAIO_FN constexpr vec2<T> radii() const { return {base_radius, top_radius}; }
+};
+
+/// The side of a frustum, seen from both sides.
+template <real T>
+struct open_frustum {
+    using number = T;
+
+    vec3<T> base, top;          ///< the centres of the two rims, which belong to it
+    T base_radius, top_radius;  ///< lengths; the frustum is missed unless one is positive and none is negative
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, radii()); }
+
+    RAIO_FN constexpr T area() const { return detail::frustum_side(base, top, radii()); }
+
+    /// u.x turns about the axis, u.y is the area between the base and the point.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        return detail::sample_frustum_side(base, top, radii(), u);
+    }
+
+    /// Either crossing counts on its own, if it lies between the two planes.
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+        chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
+        chord<W> c = detail::cross_nappe<W>(base, top, radii(), ray);
+        c = {detail::within(slab, c.near), detail::within(slab, c.far)};
+        keep_if_reachable<T>(ray, c.near);
+        keep_if_reachable<T>(ray, c.far);
+        return c;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        detail::frustum_surface(base, top, radii(), ray, c, rec);
+    }
+
+private:
+    RAIO_FN constexpr vec2<T> radii() const { return {base_radius, top_radius}; }
+};
+
+}  // namespace raio

@@ -1,0 +1,159 @@
+#include <raio/shape/cone.hpp>
+
+#include "support/cases.hpp"
+#include "support/cones.hpp"
+#include "support/dual.hpp"
+#include "support/sampling.hpp"
+
+namespace raio::test {
+
+TEST_CASE_TEMPLATE("cone: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const cone<T> hat{{0, 0, 0}, {0, 2, 0}, 2}, steep{{0, 0, 0}, {0, 4, 0}, 1};  // hat: 45 degrees
+    const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
+    check_cases<cone<T>>({
+        {"the side", hat, ahead, enters(4)},
+        {"the side, from below, through the base", hat, {{1.5, -1, 0}, {0, 1, 0}}, enters(1)},
+        {"out through the side", hat, {{1.5, -1, 0}, {0, 1, 0}}, leaves(1.5), 1.25},
+        {"behind the ray", hat, {{0, 1, 5}, {0, 0, 1}}, misses},
+        {"from inside to the side (cone fails from inside)", hat, {{0, 1, 0}, {1, 0, 0}}, leaves(1)},
+        {"from inside to the base", hat, {{0.5, 0.5, 0}, {0, -1, 0}}, leaves(0.5)},
+        {"from inside to the apex", hat, {{0, 1, 0}, {0, 1, 0}}, leaves(1)},
+        {"the apex, along the axis", hat, {{0, 5, 0}, {0, -1, 0}}, enters(3)},
+        {"the apex, along the axis, later", hat, {{0, 5, 0}, {0, -1, 0}}, leaves(5), 4},
+        {"the apex, steeper than a generator", hat, {{-1, 4, 0}, {1, -2, 0}}, enters(1)},
+        {"the apex, steeper than a generator, from below", hat, {{-1, 0, 0}, {1, 2, 0}}, leaves(1), 0.5},
+        {"the apex, from the side", hat, {{-5, 2, 0}, {1, 0, 0}}, enters(5)},
+        {"the apex, flatter than a generator", hat, {{-4, 4, 0}, {2, -1, 0}}, enters(2)},
+        {"the apex, flatter than a generator, from below", hat, {{-4, 0, 0}, {2, 1, 0}}, enters(2)},
+        {"one number above the apex", hat, {{-5, 2 + 2 * eps, 0}, {1, 0, 0}}, misses},
+        {"one number beside the apex, along the axis", hat, {{eps, 5, 0}, {0, -1, 0}}, enters(3 + eps)},
+        {"the base, along the axis", hat, {{0, -5, 0}, {0, 1, 0}}, enters(5)},
+        {"the wrong nappe", hat, {{0, 3, 5}, {0, 0, -1}}, misses},
+        {"the wrong nappe, then the right one", hat, {{1, 5, 0}, {0, -1, 0}}, enters(4)},
+        {"the wrong nappe, and beside the right one", hat, {{-3, 4, 0}, {1, 1, 0}}, misses},
+        {"from inside the wrong nappe", hat, {{0, 4, 0}, {1, 0, 0}}, misses},
+        {"parallel to a generator, inside (a = 0)", hat, {{1, -1, 0}, {-1, 1, 0}}, enters(1)},
+        {"parallel to a generator, inside, later", hat, {{1, -1, 0}, {-1, 1, 0}}, leaves(2), 1.5},
+        {"parallel to a generator, outside (a = 0)", hat, {{-1, 4, 0}, {1, -1, 0}}, misses},
+        {"parallel to a generator, beside the cone", hat, {{0, 2, 1}, {1, -1, 0}}, misses},
+        {"along a generator", hat, {{3, -1, 0}, {-1, 1, 0}}, enters(1)},
+        {"along a generator, from the apex", hat, {{-1, 3, 0}, {1, -1, 0}}, enters(1)},
+        {"along a generator, later", hat, {{-1, 3, 0}, {1, -1, 0}}, leaves(3), 2},
+        {"one number from a generator, outside", hat, {{3 + 2 * eps, -1, 0}, {-1, 1, 0}}, misses},
+        {"along the base", hat, {{-5, 0, 0}, {1, 0, 0}}, enters(3)},
+        {"one number below the base", hat, {{-5, -eps, 0}, {1, 0, 0}}, misses},
+        {"touches the rim", hat, {{2, -1, 1}, {0, 1, -1}}, enters(1)},
+        {"parallel to the axis, at the rim", hat, {{2, 5, 0}, {0, -1, 0}}, enters(5)},
+        {"tangent to the side", hat, {{1, 1, 5}, {0, 0, -1}}, enters(5)},
+        {"one number beyond the tangent", hat, {{1 + eps, 1, 5}, {0, 0, -1}}, misses},
+        {"from the side inwards", hat, {{1, 1, 0}, {-1, 0, 0}}, enters(0)},
+        {"from the side outwards", hat, {{1, 1, 0}, {1, 0, 0}}, leaves(0)},
+        {"from the apex inwards", hat, {{0, 2, 0}, {0, -1, 0}}, enters(0)},
+        {"from the apex outwards", hat, {{0, 2, 0}, {0, 1, 0}}, leaves(0)},
+        {"a steep one", steep, {{5, 2, 0}, {-1, 0, 0}}, enters(4.5)},
+        {"apex below the base", {{0, 0, 0}, {0, -2, 0}, 2}, {{0, -1, 5}, {0, 0, -1}}, enters(4)},
+        {"radius zero", {{0, 0, 0}, {0, 2, 0}, 0}, ahead, misses},
+        {"radius below zero", {{0, 0, 0}, {0, 2, 0}, -2}, ahead, misses},
+        {"base is apex", {{0, 0, 0}, {0, 0, 0}, 2}, ahead, misses},
+        {"direction zero", hat, {{0, 1, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", hat, ahead, leaves(6), 4.5},
+        {"both crossings behind the window", hat, ahead, misses, 0, 3.5},
+        {"window between the crossings", hat, ahead, misses, 4.5, 5.5},
+        {"window that is not a number", hat, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("cone: properties of every shape", T, float, double) { check_properties<cone<T>>(); }
+
+TEST_CASE_TEMPLATE("cone: as exact arithmetic", T, float, double) {
+    check_oracle<cone<T>>();
+    check_accuracy<cone<T>>(normal_run / 2);
+    check_bounds_of_errors<cone<T>>(normal_run / 10);
+}
+
+TEST_CASE_TEMPLATE("open_cone: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const open_cone<T> hat{{0, 0, 0}, {0, 2, 0}, 2};
+    const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
+    check_cases<open_cone<T>>({
+        {"the side", hat, ahead, enters(4)},
+        {"the side, from within", hat, {{1.5, -1, 0}, {0, 1, 0}}, leaves(1.5)},
+        {"in through the side, out through the base", hat, {{1.5, 5, 0}, {0, -1, 0}}, enters(4.5)},
+        {"in through the side, out through the base, later", hat, {{1.5, 5, 0}, {0, -1, 0}}, misses, 4.75},
+        {"the apex, along the axis", hat, {{0, 5, 0}, {0, -1, 0}}, enters(3)},
+        {"the apex, along the axis, later", hat, {{0, 5, 0}, {0, -1, 0}}, misses, 4},
+        {"the apex, from within", hat, {{0, -1, 0}, {0, 1, 0}}, leaves(3)},
+        {"the apex, from the side", hat, {{-5, 2, 0}, {1, 0, 0}}, enters(5)},
+        {"one number above the apex", hat, {{-5, 2 + 2 * eps, 0}, {1, 0, 0}}, misses},
+        {"the wrong nappe", hat, {{0, 3, 5}, {0, 0, -1}}, misses},
+        {"parallel to a generator, inside (a = 0)", hat, {{1, -1, 0}, {-1, 1, 0}}, leaves(2)},
+        {"along the rim", hat, {{-5, 0, 0}, {1, 0, 0}}, enters(3)},
+        {"below the rim", hat, {{-5, -eps, 0}, {1, 0, 0}}, misses},
+        {"tangent to the side", hat, {{1, 1, 5}, {0, 0, -1}}, enters(5)},
+        {"radius zero", {{0, 0, 0}, {0, 2, 0}, 0}, ahead, misses},
+        {"base is apex", {{0, 0, 0}, {0, 0, 0}, 2}, ahead, misses},
+        {"direction zero", hat, {{0, 1, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", hat, ahead, leaves(6), 4.5},
+        {"window between the crossings", hat, ahead, misses, 4.5, 5.5},
+        {"window that is not a number", hat, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("open_cone: properties of every shape", T, float, double) { check_properties<open_cone<T>>(); }
+
+TEST_CASE_TEMPLATE("open_cone: as exact arithmetic", T, float, double) {
+    check_accuracy<open_cone<T>>(normal_run / 2, 1.0 / 200);
+    check_bounds_of_errors<open_cone<T>>(normal_run / 10);
+}
+
+TEST_CASE_TEMPLATE("cone: area, and samples spread evenly over it", T, float, double) {
+    // The axis is 3 long, the generators 5: the side measures 20, the base 16, times pi.
+    const cone<T> hat{{1, 2, 3}, {3, 3, 5}, 4};
+    CHECK(hat.area() == doctest::Approx(36 * std::numbers::pi));
+    check_sampling(hat, [&](const hit_record<T>& rec) {
+        const T up = dot(rec.normal, normalize(hat.apex - hat.base)), v = rec.uv.y;
+        return vec2<T>(rec.uv.x, (up < T(-0.9) ? 16 * v * v : 36 - 20 * (1 - v) * (1 - v)) / 36);
+    });
+    const open_cone<T> open{{1, 2, 3}, {3, 3, 5}, 4};
+    CHECK(open.area() == doctest::Approx(20 * std::numbers::pi));
+    check_sampling(open,
+                   [](const hit_record<T>& rec) { return vec2<T>(rec.uv.x, 1 - (1 - rec.uv.y) * (1 - rec.uv.y)); });
+}
+
+TEST_CASE_TEMPLATE("cone: uv, and the normal of the apex", T, float, double) {
+    const cone<T> hat{{0, 0, 0}, {0, 0, 2}, 2};
+    const auto hit = [&](const ray<T>& ray) {
+        hit_record<T> rec;
+        REQUIRE(hat.hit(ray, T(0), infinity<T>, rec));
+        return rec;
+    };
+    CHECK(hit({{9, 0, 0.5}, {-1, 0, 0}}).uv == vec2<T>(0, 0.25));
+    CHECK(hit({{0, -9, 1}, {0, 1, 0}}).uv == vec2<T>(0.75, 0.5));
+    CHECK(hit({{1.5, 0, -9}, {0, 0, 1}}).uv == vec2<T>(0, 0.75));
+    CHECK(hit({{0, 0, 9}, {0, 0, -1}}).uv.y == T(1));
+    CHECK(hit({{0, 0, 9}, {0, 0, -1}}).normal == vec3<T>(0, 0, 1));
+    CHECK(hit({{0, 0, 1}, {0, 0, 1}}).normal == vec3<T>(0, 0, -1));
+    CHECK(hit({{9, 0, 2}, {-1, 0, 0}}).normal == vec3<T>(0, 0, 1));
+}
+
+TEST_CASE("cone: the derivatives of t, by a number that carries them along") {
+    const cone<dual> hat{{0, 0, 0}, {0, 0, 2}, dual::variable(2, 0)};
+    hit_record<dual> rec;
+    REQUIRE(hat.hit({{dual::variable(6, 1), 0, dual::variable(1, 2)}, {-1, 0, 0}}, 0, infinity<dual>, rec));
+    CHECK(rec.t.value == doctest::Approx(5));
+    CHECK(rec.t.slope[0] == doctest::Approx(-0.5));
+    CHECK(rec.t.slope[1] == doctest::Approx(1));
+    CHECK(rec.t.slope[2] == doctest::Approx(1));
+}
+
+TEST_CASE_TEMPLATE("cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+    check_accuracy<cone<T>>(nightly_run);
+}
+
+TEST_CASE_TEMPLATE("open_cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<open_cone<T>>(nightly_run, 1.0 / 200);
+}
+
+}  // namespace raio::test

@@ -1,0 +1,170 @@
+#include <raio/shape/frustum.hpp>
+
+#include "support/cases.hpp"
+#include "support/frusta.hpp"
+#include "support/sampling.hpp"
+
+namespace raio::test {
+
+TEST_CASE_TEMPLATE("frustum: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    // From radius 3 to radius 1 at 45 degrees: its apex would be at a height of 3.
+    const frustum<T> lamp{{0, 0, 0}, {0, 2, 0}, 3, 1}, even{{0, -1, 0}, {0, 1, 0}, 1, 1},
+        spike{{0, 0, 0}, {0, 3, 0}, 3, 0};
+    const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
+    check_cases<frustum<T>>({
+        {"the side", lamp, ahead, enters(3)},
+        {"the side, from below", lamp, {{2.5, -1, 0}, {0, 1, 0}}, enters(1)},
+        {"out through the side", lamp, {{2.5, -1, 0}, {0, 1, 0}}, leaves(1.5), 1.25},
+        {"behind the ray", lamp, {{0, 1, 5}, {0, 0, 1}}, misses},
+        {"from inside to the side", lamp, {{0, 1, 0}, {1, 0, 0}}, leaves(2)},
+        {"from inside to the top", lamp, {{0.5, 1, 0}, {0, 1, 0}}, leaves(1)},
+        {"from inside to the base", lamp, {{2, 0.5, 0}, {0, -1, 0}}, leaves(0.5)},
+        {"along the axis", lamp, {{0, 5, 0}, {0, -1, 0}}, enters(3)},
+        {"along the axis, from below", lamp, {{0, -5, 0}, {0, 1, 0}}, enters(5)},
+        {"parallel to the axis, onto the side", lamp, {{2, 5, 0}, {0, -1, 0}}, enters(4)},
+        {"parallel to the axis, outside", lamp, {{4, 5, 0}, {0, -1, 0}}, misses},
+        {"parallel to the axis, at the lower rim", lamp, {{3, 5, 0}, {0, -1, 0}}, enters(5)},
+        {"parallel to the axis, one number beyond the rim", lamp, {{3 + 2 * eps, 5, 0}, {0, -1, 0}}, misses},
+        {"parallel to a generator, inside (a = 0)", lamp, {{2, -1, 0}, {-1, 1, 0}}, enters(1)},
+        {"parallel to a generator, inside, later", lamp, {{2, -1, 0}, {-1, 1, 0}}, leaves(3), 2},
+        {"parallel to a generator, onto the other side", lamp, {{5, -1, 0}, {-3, 3, 0}}, misses},
+        {"parallel to a generator, through the other side", lamp, {{1, -1, 0}, {1, 1, 0}}, enters(1)},
+        {"parallel to a generator, through the other side, later", lamp, {{1, -1, 0}, {1, 1, 0}}, leaves(1.5), 1.25},
+        {"along a generator", lamp, {{4, -1, 0}, {-1, 1, 0}}, enters(1)},
+        {"along a generator, later", lamp, {{4, -1, 0}, {-1, 1, 0}}, leaves(3), 2},
+        {"one number from a generator, outside", lamp, {{4 + 4 * eps, -1, 0}, {-1, 1, 0}}, misses},
+        {"where the other nappe would be", lamp, {{0, 4, 5}, {0, 0, -1}}, misses},
+        {"through the other nappe and in at the top", lamp, {{2, 5, 0}, {-1, -2, 0}}, enters(1.5)},
+        {"along the base", lamp, {{-5, 0, 0}, {1, 0, 0}}, enters(2)},
+        {"along the top", lamp, {{-5, 2, 0}, {1, 0, 0}}, enters(4)},
+        {"one number above the top", lamp, {{-5, 2 + 2 * eps, 0}, {1, 0, 0}}, misses},
+        {"touches the lower rim", lamp, {{3, -1, 1}, {0, 1, -1}}, enters(1)},
+        {"touches the upper rim", lamp, {{0, 3, 0}, {1, -1, 0}}, enters(1)},
+        {"tangent to the side", lamp, {{2, 1, 5}, {0, 0, -1}}, enters(5)},
+        {"one number beyond the tangent", lamp, {{2 + 2 * eps, 1, 5}, {0, 0, -1}}, misses},
+        {"from the side inwards", lamp, {{2, 1, 0}, {-1, 0, 0}}, enters(0)},
+        {"from the side outwards", lamp, {{2, 1, 0}, {1, 0, 0}}, leaves(0)},
+        {"from the side outwards, later", lamp, {{2, 1, 0}, {1, 0, 0}}, misses, 0x1p-60},
+        {"base and top exchanged", {{0, 2, 0}, {0, 0, 0}, 1, 3}, ahead, enters(3)},
+        {"equal radii, the side", even, {{0, 0, 5}, {0, 0, -1}}, enters(4)},
+        {"equal radii, parallel to the axis (0 / 0)", even, {{0.5, 5, 0.5}, {0, -1, 0}}, enters(4)},
+        {"equal radii, parallel to the axis, outside (0 / 0)", even, {{2, 5, 0}, {0, -1, 0}}, misses},
+        {"equal radii, parallel to the axis, on the surface (0 / 0)", even, {{1, 5, 0}, {0, -1, 0}}, enters(4)},
+        {"equal radii, parallel to the axis, one number beyond", even, {{1 + eps, 5, 0}, {0, -1, 0}}, misses},
+        {"top radius zero, onto the apex", spike, {{0, 5, 0}, {0, -1, 0}}, enters(2)},
+        {"top radius zero, across the apex", spike, {{-5, 3, 0}, {1, 0, 0}}, enters(5)},
+        {"both radii zero", {{0, 0, 0}, {0, 2, 0}, 0, 0}, ahead, misses},
+        {"a radius below zero", {{0, 0, 0}, {0, 2, 0}, 3, -1}, ahead, misses},
+        {"base is top", {{0, 0, 0}, {0, 0, 0}, 3, 1}, ahead, misses},
+        {"direction zero", lamp, {{0, 1, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", lamp, ahead, leaves(7), 4},
+        {"both crossings behind the window", lamp, ahead, misses, 0, 2.5},
+        {"window between the crossings", lamp, ahead, misses, 4, 6},
+        {"window that is not a number", lamp, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("frustum: properties of every shape", T, float, double) { check_properties<frustum<T>>(); }
+
+TEST_CASE_TEMPLATE("frustum: as exact arithmetic", T, float, double) {
+    check_oracle<frustum<T>>();
+    check_accuracy<frustum<T>>(normal_run / 2);
+    check_bounds_of_errors<frustum<T>>(normal_run / 10);
+}
+
+TEST_CASE_TEMPLATE("open_frustum: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const open_frustum<T> lamp{{0, 0, 0}, {0, 2, 0}, 3, 1}, even{{0, -1, 0}, {0, 1, 0}, 1, 1};
+    const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
+    check_cases<open_frustum<T>>({
+        {"the side", lamp, ahead, enters(3)},
+        {"the side, from within", lamp, {{2.5, -1, 0}, {0, 1, 0}}, leaves(1.5)},
+        {"through both ends", lamp, {{0.5, 5, 0}, {0, -1, 0}}, misses},
+        {"in through the top, onto the side", lamp, {{0, 3, 0}, {1.25, -1, 0}}, misses},
+        {"in through the base, onto the side", lamp, {{1, -1, 0}, {1, 1, 0}}, leaves(1.5)},
+        {"in through the side, out through the base", lamp, {{2, 3, 0}, {0, -1, 0}}, enters(2)},
+        {"in through the side, out through the base, later", lamp, {{2, 3, 0}, {0, -1, 0}}, misses, 2.5},
+        {"parallel to a generator, inside (a = 0)", lamp, {{2.5, -1, 0}, {-1, 1, 0}}, misses},
+        {"parallel to a generator, onto the upper rim (a = 0)", lamp, {{2, -1, 0}, {-1, 1, 0}}, leaves(3)},
+        {"along a generator, in the surface", lamp, {{4, -1, 0}, {-1, 1, 0}}, misses},
+        {"where the other nappe would be", lamp, {{0, 4, 5}, {0, 0, -1}}, misses},
+        {"along the rim of the base", lamp, {{-5, 0, 0}, {1, 0, 0}}, enters(2)},
+        {"one number above the top", lamp, {{-5, 2 + 2 * eps, 0}, {1, 0, 0}}, misses},
+        {"touches the upper rim from within", lamp, {{-1, 3, 0}, {2, -1, 0}}, leaves(1)},
+        {"tangent to the side", lamp, {{2, 1, 5}, {0, 0, -1}}, enters(5)},
+        {"equal radii, parallel to the axis, in the surface (0 / 0)", even, {{1, 5, 0}, {0, -1, 0}}, misses},
+        {"equal radii, parallel to the axis, outside (0 / 0)", even, {{2, 5, 0}, {0, -1, 0}}, misses},
+        {"both radii zero", {{0, 0, 0}, {0, 2, 0}, 0, 0}, ahead, misses},
+        {"base is top", {{0, 0, 0}, {0, 0, 0}, 3, 1}, ahead, misses},
+        {"direction zero", lamp, {{0, 1, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", lamp, ahead, leaves(7), 4},
+        {"window between the crossings", lamp, ahead, misses, 4, 6},
+        {"window that is not a number", lamp, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("open_frustum: properties of every shape", T, float, double) { check_properties<open_frustum<T>>(); }
+
+TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic", T, float, double) {
+    check_accuracy<open_frustum<T>>(normal_run / 2, 1.0 / 200);
+    check_bounds_of_errors<open_frustum<T>>(normal_run / 10);
+}
+
+/// How much of the side's area lies below a height of the lamp that the tests of samples use.
+template <class T>
+T below(T v) {
+    return (36 - (6 - 4 * v) * (6 - 4 * v)) / 32;
+}
+
+TEST_CASE_TEMPLATE("frustum: area, and samples spread evenly over it", T, float, double) {
+    // The axis is 3 long, the generators 5: the side measures 40, the base 36 and the top 4, times pi.
+    const frustum<T> lamp{{1, 2, 3}, {3, 3, 5}, 6, 2};
+    CHECK(lamp.area() == doctest::Approx(80 * std::numbers::pi));
+    check_sampling(lamp, [&](const hit_record<T>& rec) {
+        const T up = dot(rec.normal, normalize(lamp.top - lamp.base)), v = rec.uv.y;
+        const T all = up < T(-0.9) ? 36 * v * v : up > T(0.9) ? 76 + 4 * v * v : 36 + 40 * below(v);
+        return vec2<T>(rec.uv.x, all / 80);
+    });
+    CHECK(frustum<T>{{1, 2, 3}, {3, 3, 5}, 2, 2}.area() == doctest::Approx(20 * std::numbers::pi));
+}
+
+TEST_CASE_TEMPLATE("open_frustum: area, and samples spread evenly over it", T, float, double) {
+    const open_frustum<T> lamp{{1, 2, 3}, {3, 3, 5}, 6, 2};
+    CHECK(lamp.area() == doctest::Approx(40 * std::numbers::pi));
+    check_sampling(lamp, [](const hit_record<T>& rec) { return vec2<T>(rec.uv.x, below(rec.uv.y)); });
+    const open_frustum<T> even{{1, 2, 3}, {3, 3, 5}, 2, 2};
+    check_sampling(even, [](const hit_record<T>& rec) { return rec.uv; });
+}
+
+TEST_CASE_TEMPLATE("frustum: uv and normal", T, float, double) {
+    const frustum<T> lamp{{0, 0, 0}, {0, 0, 2}, 3, 1};
+    const auto hit = [&](const ray<T>& ray) {
+        hit_record<T> rec;
+        REQUIRE(lamp.hit(ray, T(0), infinity<T>, rec));
+        return rec;
+    };
+    CHECK(hit({{9, 0, 0.5}, {-1, 0, 0}}).uv == vec2<T>(0, 0.25));
+    CHECK(hit({{0, 9, 1.5}, {0, -1, 0}}).uv == vec2<T>(0.25, 0.75));
+    CHECK(hit({{0.5, 0, 9}, {0, 0, -1}}).uv == vec2<T>(0, 0.5));
+    CHECK(hit({{1.5, 0, -9}, {0, 0, 1}}).uv == vec2<T>(0, 0.5));
+    CHECK(hit({{0, 0, 9}, {0, 0, -1}}).uv == vec2<T>(0, 0));
+    const T half = T(std::sqrt(0.5));
+    CHECK(length(hit({{9, 0, 0.5}, {-1, 0, 0}}).normal - vec3<T>(half, 0, half)) <
+          2 * std::numeric_limits<T>::epsilon());
+    CHECK(length(hit({{0, 0, 1}, {1, 0, 0}}).normal - vec3<T>(-half, 0, -half)) <
+          2 * std::numeric_limits<T>::epsilon());
+    CHECK(hit({{0, 0, 9}, {0, 0, -1}}).normal == vec3<T>(0, 0, 1));
+}
+
+TEST_CASE_TEMPLATE("frustum: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<frustum<T>>(nightly_run);
+}
+
+TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<open_frustum<T>>(nightly_run, 1.0 / 200);
+}
+
+}  // namespace raio::test

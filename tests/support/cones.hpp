@@ -1,0 +1,58 @@
+#pragma once
+
+#include "support/frusta.hpp"
+
+namespace raio::test {
+
+struct cone_profile {
+    static auto ends(const auto& s) { return std::pair(s.base, s.apex); }
+    static double radius(const auto& s, double h) { return static_cast<double>(s.radius) * (1 - h); }
+    static double slope(const auto& s, double) { return -static_cast<double>(s.radius); }
+    static double height(const auto&, random_numbers& random) { return random.uniform(0.01, 0.99); }
+};
+
+/// What the tests know of both cones.
+template <class Cone>
+struct cone_subject : revolved_subject<Cone, cone_profile> {
+    using T = number_t<Cone>;
+
+    static auto fields(auto& s) { return std::tie(s.base, s.apex, s.radius); }
+
+    static Cone random(random_numbers& random, double size, const vec3<double>& place) {
+        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.1, 10));
+        return {vec3<T>(place), vec3<T>(place + axis), static_cast<T>(size * random.log_uniform(0.1, 1))};
+    }
+    /// To the side and to the planes across its ends, below 0 inside. To the side it is said a little shorter: at the
+    /// apex of a cone of 45 degrees it would pass for a face (see away_from_edges).
+    static auto distances(const auto& s, const vec3<oracle>& p) {
+        const frustum<oracle> same{s.base, s.apex, s.radius, 0};
+        auto distances = frustum_subject<frustum<T>>::distances(same, p);
+        distances.first *= 0.75;
+        return distances;
+    }
+    static auto grown(auto s) {
+        const vec3<oracle> more = (s.apex - s.base) * oracle(1e-40);
+        s.base -= more;
+        s.apex += more;
+        s.radius *= 1 + oracle(1e-40);
+        return s;
+    }
+};
+
+template <class T>
+struct subject<cone<T>> : cone_subject<cone<T>> {
+    static oracle distance(const cone<oracle>& s, const vec3<oracle>& p) {
+        const auto [side, caps] = cone_subject<cone<T>>::distances(s, p);
+        return max(side, caps);
+    }
+};
+
+template <class T>
+struct subject<open_cone<T>> : cone_subject<open_cone<T>> {
+    static oracle distance(const open_cone<oracle>& s, const vec3<oracle>& p) {
+        const auto [side, caps] = cone_subject<open_cone<T>>::distances(s, p);
+        return -max(side, caps);  // positive inside, and small near the rims and where the other side is near
+    }
+};
+
+}  // namespace raio::test
