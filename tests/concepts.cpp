@@ -25,6 +25,12 @@ struct who_is_what {
     static_assert(primitive<convex_polyhedron<T>> && bounded<convex_polyhedron<T>> && solid<convex_polyhedron<T>>);
     static_assert(primitive<ring<T>> && bounded<ring<T>> && !solid<ring<T>> && sampleable<ring<T>>);
     static_assert(primitive<capsule<T>> && bounded<capsule<T>> && solid<capsule<T>> && sampleable<capsule<T>>);
+    static_assert(primitive<cone<T>> && bounded<cone<T>> && solid<cone<T>> && sampleable<cone<T>>);
+    static_assert(bounded<open_cone<T>> && !solid<open_cone<T>> && sampleable<open_cone<T>>);
+    static_assert(primitive<frustum<T>> && bounded<frustum<T>> && solid<frustum<T>> && sampleable<frustum<T>>);
+    static_assert(bounded<open_frustum<T>> && !solid<open_frustum<T>> && sampleable<open_frustum<T>>);
+    static_assert(primitive<paraboloid<T>> && bounded<paraboloid<T>> && solid<paraboloid<T>>);
+    static_assert(bounded<open_paraboloid<T>> && !solid<open_paraboloid<T>> && !sampleable<open_paraboloid<T>>);
     static_assert(solid<polyhedron<T, 20>> && std::is_trivially_copyable_v<polyhedron<T, 20>>);
     static_assert(primitive<convex_polyhedron<T, std::span<const half_space<T>>>>);
     static_assert(primitive<group<sphere<T>, std::vector<box<T>>>> && bounded<group<sphere<T>, std::vector<box<T>>>>);

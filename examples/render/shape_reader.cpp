@@ -58,6 +58,16 @@ shape_reading plain(std::string_view name, Fields... fields) {
     return [=](tokens& in, int) { return kept(Shape{fields(in, name)...}); };
 }
 
+/// A shape between two points, which have to differ, and then lengths.
+template <class Shape, class... Lengths>
+shape_reading upright(std::string_view name, point low, point high, Lengths... lengths) {
+    return [=](tokens& in, int) {
+        const vec3 base = low(in, name), top = high(in, name);
+        if (base == top) in.fail(joined({name, " without height"}), "two points that differ");
+        return kept(Shape{base, top, lengths(in, name)...});
+    };
+}
+
 template <class Cylinder>
 shape read_cylinder(tokens& in, int) {
     const vec3 base = vector(in, "the base of a cylinder"), axis = direction(in, "the axis of a cylinder");
@@ -267,6 +277,15 @@ const by_name<shape_reading> shapes{
     {"parallelogram", read_parallelogram},
     {"polyhedron", read_polyhedron},
     {"capsule", plain<raio::capsule<number>>("a capsule", point{"base"}, point{"top"}, measure{"radius"})},
+    {"cone", upright<raio::cone<number>>("a cone", point{"base"}, point{"apex"}, measure{"radius"})},
+    {"open_cone", upright<raio::open_cone<number>>("a cone", point{"base"}, point{"apex"}, measure{"radius"})},
+    {"frustum", upright<raio::frustum<number>>("a frustum", point{"base"}, point{"top"}, measure{"base radius"},
+                                               measure{"top radius", not_negative})},
+    {"open_frustum", upright<raio::open_frustum<number>>("a frustum", point{"base"}, point{"top"},
+                                                         measure{"base radius"}, measure{"top radius", not_negative})},
+    {"paraboloid", upright<raio::paraboloid<number>>("a paraboloid", point{"vertex"}, point{"top"}, measure{"radius"})},
+    {"open_paraboloid",
+     upright<raio::open_paraboloid<number>>("a paraboloid", point{"vertex"}, point{"top"}, measure{"radius"})},
     {"torus", plain<raio::torus<number>>("a torus", point{"centre"}, axis{"axis"}, measure{"major radius"},
                                          measure{"minor radius"})},
     {"oriented_box", read_oriented_box},

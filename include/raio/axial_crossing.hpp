@@ -32,6 +32,21 @@ RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& 
             {exists, certain, far, error, !yes, select(upward, top_face, base_face)}};
 }
 
+/// The chord below the plane of the upper cap alone.
+template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
+    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+    auto above = height_above<W>(axis, top, ray.origin);
+    crossing<W> plane = cross_plane(axis, vec3<W>(ray.direction), above.value, above.error);
+    const mask_t<W> parallel = !plane.exists, upward = !plane.entering, yes = W(0) == W(0);
+    const mask_t<W> exists = some(!parallel, above.value <= tie<W>(above.error));
+    const mask_t<W> certain = every(plane.certain, some(!parallel, abs(above.value) > above.error));
+    W near = select(some(parallel, upward), -infinity<W>, plane.t);
+    W far = select(some(parallel, !upward), infinity<W>, plane.t);
+    const index_t<W> top_face(2);
+    return {{exists, certain, near, plane.error, yes, top_face}, {exists, certain, far, plane.error, !yes, top_face}};
+}
+
 /// The crossing, if it lies in the slab: what an open side keeps of those of the endless surface.
 template <class W>
 RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {

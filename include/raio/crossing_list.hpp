@@ -19,7 +19,17 @@ struct crossing_list {
     RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
 
     RAIO_FN constexpr void append(const W& t, const bound_t<W>& error, bool entering) {
-        if (count < N) crossings[count++] = {true, true, t, error, entering};
+        append(crossing<W>{true, true, t, error, entering});
+    }
+    RAIO_FN constexpr void append(const crossing<W>& c) {
+        if (count < N) crossings[count++] = c;
+    }
+
+    /// Takes over the crossings of a part that is convex.
+    RAIO_FN constexpr void append(const chord<W>& part) {
+        certain = certain && part.near.certain && part.far.certain;
+        if (part.near.exists) append(part.near);
+        if (part.far.exists) append(part.far);
     }
 
     /// Takes over a root of a polynomial along the line that is positive outside. An extremum that cannot be told from

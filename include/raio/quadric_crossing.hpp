@@ -22,10 +22,10 @@ namespace raio {
 /// most.
 template <class W>
 struct revolved_quadric {
-    vec3<W> axis;     ///< the unit of h
-    W c0, c1, c2;     ///< squares of lengths
-    W discriminant;   ///< c1^2 / 4 - c0 c2, found without that difference; at least 0 if the axis meets the surface
-    bound_t<W> size;  ///< how far from B the crossings lie that count, at most
+    vec3<W> axis;    ///< the unit of h; what counts of the surface lies between h = -1 and h = 1
+    W c0, c1, c2;    ///< squares of lengths
+    W discriminant;  ///< c1^2 / 4 - c0 c2, found without that difference; at least 0 if the axis meets the surface
+    W radius;        ///< nothing that counts of the surface is farther from the axis
 };
 
 /// Where a line is inside a quadric.
@@ -54,7 +54,8 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     // The errors, with u the unit roundoff. Everything that m goes into is linear or quadratic in it: with |m| off by
     // m_error, the roundings of all that is made of it included, m.m is off by twice m2_error. |n| and |d.A| are at
     // most |d| |A|, and |w| is at most |m| |A| / |d|.
-    E d_size = norm1(vec3<E>(d)), span = d_size * norm1(vec3<E>(s.axis)), over(over_d2), area(axis2);
+    E d_size = norm1(vec3<E>(d)), axis_size = norm1(vec3<E>(s.axis)), span = d_size * axis_size;
+    E over(over_d2), area(axis2);
     E m_size = norm1(vec3<E>(m)), m_error = with_underflow<W>(E(4 * u) * far * d_size + E(24 * u) * m_size);
     E m2_error = (m_size + m_error) * m_error, ratio = E(1) + abs(E(k));
     E c0 = abs(E(s.c0)), c1 = abs(E(s.c1)), of_c1 = E(2) * c1 * span * m_error;
@@ -89,7 +90,7 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     // All that counts is within half of `reach`. Where the equation does not change its sign, the line is inside
     // everywhere or nowhere; where nothing of it can be told from zero, it lies in the surface. If it is as good as
     // linear (the line is parallel to a generator, or to the axis of a paraboloid), the other root is out of reach.
-    E a_size = abs(E(a)), reach = E(2) * s.size * d_size * over;
+    E a_size = abs(E(a)), reach = E(2) * (axis_size + E(s.radius)) * d_size * over;
     E change = c_error + reach * ((a_size + a_error) * reach + E(2) * (abs(E(b)) + b_error));
     const mask_t<W> in_range =
         every(is_finite(a_size + abs(E(b)) + abs(E(c)) + abs(E(square))), d2 >= W(least), axis2 >= W(least));
@@ -98,8 +99,11 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     const mask_t<W> level = some(steady, every(!linear, blind)), steep = every(!level, !linear, a < zero);
     const mask_t<W> on_axis = s.discriminant >= zero;  // where a line that is steep enough cannot miss it
     const mask_t<W> hollow = every(steep, some(on_axis, touches)), everywhere = some(level, every(steep, !hollow));
+    // A radius that the last precision cannot tell from none leaves no normal: such a shape is missed.
+    E extent = far + axis_size, resolved = E(least) + tie<W>(E(0x1p30 * u * u) * (extent * extent));
+    const mask_t<W> wide = every(s.radius > zero, E(s.radius) * E(s.radius) >= resolved);
     const mask_t<W> exists =
-        every(some(every(level, c <= tie<W>(change)), every(!level, some(linear, steep, touches))), in_range);
+        every(wide, some(every(level, c <= tie<W>(change)), every(!level, some(linear, steep, touches))), in_range);
     const mask_t<W> one = every(linear, meets, sum_size > E(2) * sum_error);
     const mask_t<W> two = every(!linear, !blind, a_size > E(2) * a_error, some(meets, apart, every(steep, on_axis)));
     const mask_t<W> certain = every(in_range, some(steady, one, two));
@@ -120,6 +124,7 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
             const bool starts = axis2 * (dot(across, across) - axis2 * s.c0 - s.c1 * height) == s.c2 * height * height;
             if (near_0 && starts) near = zero;
             if (far_0 && starts) far_end = zero;
+            if (starts) error = error + error;
         }
     }
     return {{{exists, certain, near, error, !hollow}, {exists, certain, far_end, error, hollow}}, hollow};

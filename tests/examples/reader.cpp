@@ -180,6 +180,9 @@ TEST_CASE("shapes are read as the fields that raio has") {
     };
     const ray up{{0, -8, 0}, {0, 1, 0}}, beside{{1, -8, 1}, {0, 1, 0}};
     CHECK(same(solid("capsule 0 -1 0  0 2 0  0.5", up), {{6.5, 10.5}}));
+    CHECK(same(solid("cone 0 -1 0  0 2 0  3", up), {{7, 10}}));
+    CHECK(same(solid("paraboloid 0 -1 0  0 1 0  2", beside), {{8, 9}}));
+    CHECK(same(solid("frustum 0 -1 0  0 2 0  3 1", up), {{7, 10}}));
     CHECK(same(solid("oriented_box 0 1 0  2 0 2  -2 0 2  0 1 0", beside), {{8, 10}}));
     CHECK(same(solid("tetrahedron -1 0 -1  3 0 -1  -1 0 3  -1 4 -1", up), {{8, 10}}));
     CHECK(same(solid("pyramid 4  -2 0 -2  2 0 -2  2 0 2  -2 0 2  0 2 0", beside), {{8, 9}}));

@@ -25,9 +25,10 @@ std::string repeated(std::string_view words, int times) {
 
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
-    "a shape: algebraic, box, capsule, circle, cylinder, difference, disc, intersection, mesh, open_algebraic, "
-    "open_cylinder, open_quadric, oriented_box, parallelogram, plane, polyhedron, prism, pyramid, quadric, "
-    "regular_solid, ring, sphere, tetrahedron, torus, triangle, union";
+    "a shape: algebraic, box, capsule, circle, cone, cylinder, difference, disc, frustum, intersection, mesh, "
+    "open_algebraic, open_cone, open_cylinder, open_frustum, open_paraboloid, open_quadric, oriented_box, "
+    "paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, sphere, "
+    "tetrahedron, torus, triangle, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -206,6 +207,18 @@ const bad_scene bad_objects[] = {
     {"a ring inside out",
      {.objects = "1 0 0 ring 0 0 0 0 1 0 2 1"},
      "5: found an inner radius that is not below the outer one, expected the smaller radius first"},
+    {"a cone without height",
+     {.objects = "1 0 0 cone 0 1 0 0 1 0 1"},
+     "5: found a cone without height, expected two points that differ"},
+    {"a cone without radius",
+     {.objects = "1 0 0 open_cone 0 0 0 0 1 0 0"},
+     "5: found '0', expected a number above 0 for the radius of a cone"},
+    {"a frustum with a radius below 0",
+     {.objects = "1 0 0 frustum 0 0 0 0 1 0 1 -1"},
+     "5: found '-1', expected a number not below 0 for the top radius of a frustum"},
+    {"a paraboloid without height",
+     {.objects = "1 0 0 paraboloid 0 1 0 0 1 0 1"},
+     "5: found a paraboloid without height, expected two points that differ"},
     {"a capsule without radius",
      {.objects = "1 0 0 capsule 0 0 0 0 1 0 0"},
      "5: found '0', expected a number above 0 for the radius of a capsule"},

@@ -36,6 +36,7 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<numb
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     if constexpr (requires { about::grown(exact_shape); }) {
         const std::vector larger = all_crossings<oracle>(about::grown(exact_shape), exact_ray);
+        if (larger.size() > crossings.size()) return larger;
         for (std::size_t i = 0; i < crossings.size(); ++i) {
             if (!crossings[i].exists) crossings[i] = larger[i];
         }

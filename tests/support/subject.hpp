@@ -36,6 +36,8 @@ template <class T>
 inline constexpr bool is_flat<open_cone<T>> = false;
 template <class T>
 inline constexpr bool is_flat<open_frustum<T>> = false;
+template <class T>
+inline constexpr bool is_flat<open_paraboloid<T>> = false;
 
 /// Does a line that has left the shape never meet it again?
 template <class Shape>

@@ -24,22 +24,14 @@ namespace detail {
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
                                        const ray<R>& ray) {
-    using E = bound_t<W>;
-    constexpr double u = unit_roundoff<W>, least = least_normal<W>;
     const mask_t<T> turned = radii.y < radii.x;
-    const T lesser = min(radii.x, radii.y), larger = max(radii.x, radii.y);
     vec3<W> from(select(turned, top, base)), axis = vec3<W>(select(turned, base, top)) - from, d(ray.direction);
     vec3<W> to_center = from - vec3<W>(ray.origin);
-    W r(lesser), widening = W(larger) - r, radius(larger);
-    revolved_quadric<W> cone{
-        axis, r * r, W(2) * r * widening, widening * widening, W(0), norm1(vec3<E>(axis)) + E(radius)};
-    E far = norm1(vec3<E>(to_center)), farther = far + norm1(vec3<E>(axis));
-    quadric_chord<W> c = cross_quadric(cone, to_center, far, d);
+    W r(min(radii.x, radii.y)), radius(max(radii.x, radii.y)), widening = radius - r;
+    revolved_quadric<W> cone{axis, r * r, W(2) * r * widening, widening * widening, W(0), radius};
+    quadric_chord<W> c = cross_quadric(cone, to_center, norm1(vec3<bound_t<W>>(to_center)), d);
 
-    // A radius that the last precision cannot tell from none leaves no normal: such a frustum is missed.
-    E resolved = tie<W>(E(0x1p30 * u * u) * (farther * farther));
-    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0), E(radius) * E(radius) >= E(least) + resolved),
-                    yes = W(0) == W(0);
+    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0)), yes = W(0) == W(0);
     const mask_t<W> forward = every(c.hollow, dot(d, axis) > W(0)), back = every(c.hollow, !forward);
     crossing<W> near = c.ends.near, far_end = c.ends.far;
     near.t = select(forward, c.ends.far.t, select(back, -infinity<W>, near.t));

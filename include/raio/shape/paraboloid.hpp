@@ -1,0 +1,141 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/quadric_crossing.hpp>
+
+/// \file
+/// Both paraboloids: with its cap one is a solid, without it a dish.
+///
+/// With the height h, 0 at the vertex and 1 at the top, the side is at the distance rho from the axis, rho^2 = radius^2
+/// h: a quadric of revolution, for which see quadric_crossing.hpp. A line parallel to the axis crosses it once.
+///
+/// Faces are counted side, (none), top. uv of the side: u is the angle about the axis, from the x axis of
+/// `frame_about(axis)`; v the height. uv of the cap: the same u, and v the distance from the axis over the radius.
+
+namespace raio {
+
+namespace detail {
+
+/// The chord through the endless paraboloid.
+template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, T radius,
+                                                    const ray<R>& ray) {
+    vec3<W> axis = vec3<W>(top) - vec3<W>(vertex), to_center = vec3<W>(vertex) - vec3<W>(ray.origin);
+    W r(radius), r2 = r * r, zero(0);
+    revolved_quadric<W> paraboloid{axis, zero, r2, zero, W(0.25) * r2 * r2, r};
+    return cross_quadric(paraboloid, to_center, norm1(vec3<bound_t<W>>(to_center)), vec3<W>(ray.direction)).ends;
+}
+
+/// What both paraboloids record.
+template <class W, real T, real R, real N>
+RAIO_FN constexpr void paraboloid_surface(const vec3<T>& vertex, const vec3<T>& top, T radius, const ray<R>& ray,
+                                          const crossing<W>& c, hit_record<T, N>& rec) {
+    vec3<W> axis = vec3<W>(top) - vec3<W>(vertex);
+    vec3<W> down = axis * (W(0.5) * W(radius) * W(radius) / dot(axis, axis));
+    axial_surface(vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)), ray, c, rec,
+                  [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });
+}
+
+/// Around the curve h axis + sqrt(h) reach, whose highest point is inside of the paraboloid's ends where the axis goes
+/// down steeply enough.
+template <real T>
+RAIO_FN constexpr aabb<T> paraboloid_bounds(const vec3<T>& vertex, const vec3<T>& top, T radius) {
+    vec3<T> axis = top - vertex, reach = disc_reach(axis, radius);
+    const auto highest = [](const T& rise, const T& r) {
+        const T bulge = quotient(r * r, T(-4) * rise, T(0)) * T(1 + 8 * unit_roundoff<T>);
+        return select(T(2) * rise + r < T(0), bulge, max(T(0), rise + r));
+    };
+    vec3<T> up(highest(axis.x, reach.x), highest(axis.y, reach.y), highest(axis.z, reach.z));
+    vec3<T> down(highest(-axis.x, reach.x), highest(-axis.y, reach.y), highest(-axis.z, reach.z));
+    vec3<T> rounding(norm1(axis) * T(2 * unit_roundoff<T>));
+    return padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)});
+}
+
+/// The area of the side.
+template <real T>
+RAIO_FN constexpr T paraboloid_side(const vec3<T>& vertex, const vec3<T>& top, T radius) {
+    // pi radius / (6 axis^2) (q^3 - radius^3) with q^2 = radius^2 + 4 axis^2, divided by q - radius.
+    const vec3<T> axis = top - vertex;
+    const T r2 = radius * radius, q2 = r2 + T(4) * dot(axis, axis), q = sqrt(q2);
+    return T(2 * pi<T> / 3) * radius * (q2 + q * radius + r2) / (q + radius);
+}
+
+}  // namespace detail
+
+/// The points between a paraboloid of revolution and a disc across its axis: closed, a solid.
+template <real T>
+struct paraboloid {
+    using number = T;
+
+    vec3<T> vertex, top;  ///< the lowest point, and the centre of the cap
+    T radius;             ///< of the cap; the paraboloid is missed unless it is positive and vertex and top differ
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::paraboloid_bounds(vertex, top, radius); }
+
+    RAIO_FN constexpr T area() const {
+        return detail::paraboloid_side(vertex, top, radius) + T(pi<T>) * radius * radius;
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+        chord<W> c = intersect(detail::cross_endless_paraboloid<W>(vertex, top, radius, ray),
+                               detail::cross_upper_plane<W>(vertex, top, ray));
+        keep_if_reachable<T>(ray, c.near);
+        keep_if_reachable<T>(ray, c.far);
+        return c;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        detail::paraboloid_surface(vertex, top, radius, ray, c, rec);
+    }
+};
+
+/// A paraboloid of revolution up to its rim, seen from both sides.
+template <real T>
+struct open_paraboloid {
+    using number = T;
+
+    vec3<T> vertex, top;  ///< the lowest point, and the centre of the rim, which belongs to it
+    T radius;             ///< of the rim; the paraboloid is missed unless it is positive and vertex and top differ
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::paraboloid_bounds(vertex, top, radius); }
+
+    RAIO_FN constexpr T area() const { return detail::paraboloid_side(vertex, top, radius); }
+
+    /// Either crossing counts on its own, if it lies below the rim.
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+        chord<W> slab = detail::cross_upper_plane<W>(vertex, top, ray);
+        chord<W> c = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
+        c = {detail::within(slab, c.near), detail::within(slab, c.far)};
+        keep_if_reachable<T>(ray, c.near);
+        keep_if_reachable<T>(ray, c.far);
+        return c;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        detail::paraboloid_surface(vertex, top, radius, ray, c, rec);
+    }
+};
+
+}  // namespace raio

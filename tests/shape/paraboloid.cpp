@@ -1,0 +1,133 @@
+#include <raio/shape/paraboloid.hpp>
+
+#include "support/cases.hpp"
+#include "support/paraboloids.hpp"
+
+namespace raio::test {
+
+TEST_CASE_TEMPLATE("paraboloid: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const paraboloid<T> bowl{{0, 0, 0}, {0, 4, 0}, 2}, lying{{-1, 0, 0}, {8, 0, 0}, 6};  // y = x^2 + z^2
+    const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
+    check_cases<paraboloid<T>>({
+        {"the side", bowl, ahead, enters(4)},
+        {"the side, off the axes", lying, {{0, -9, 0}, {0, 1, 0}}, enters(7)},
+        {"behind the ray", bowl, {{0, 1, 5}, {0, 0, 1}}, misses},
+        {"from inside to the side", bowl, {{0, 1, 0}, {1, 0, 0}}, leaves(1)},
+        {"from inside to the top", bowl, {{0.5, 1, 0}, {0, 1, 0}}, leaves(3)},
+        {"from inside to the vertex", bowl, {{0, 1, 0}, {0, -1, 0}}, leaves(1)},
+        {"along the axis, from above", bowl, {{0, 9, 0}, {0, -1, 0}}, enters(5)},
+        {"along the axis, from below (a = 0)", bowl, {{0, -5, 0}, {0, 1, 0}}, enters(5)},
+        {"parallel to the axis (a = 0)", bowl, {{1, -5, 0}, {0, 1, 0}}, enters(6)},
+        {"parallel to the axis, later", bowl, {{1, -5, 0}, {0, 1, 0}}, leaves(9), 7},
+        {"parallel to the axis, outside", bowl, {{3, -5, 0}, {0, 1, 0}}, misses},
+        {"parallel to the axis, at the rim", bowl, {{2, 9, 0}, {0, -1, 0}}, enters(5)},
+        {"parallel to the axis, one number beyond the rim", bowl, {{2 + 2 * eps, 9, 0}, {0, -1, 0}}, misses},
+        {"one number from parallel", bowl, {{1, -5, 0}, {0x1p-60, 1, 0}}, enters(6)},
+        {"in through the side, out through the side", bowl, {{-3, 0, 0}, {2, 1, 0}}, enters(1)},
+        {"in through the top, out through the side", bowl, {{0, 6, 0}, {1, -2, 0}}, enters(1)},
+        {"tangent to the vertex", bowl, {{-5, 0, 0}, {1, 0, 0}}, enters(5)},
+        {"one number below the vertex", bowl, {{-5, -eps, 0}, {1, 0, 0}}, misses},
+        {"tangent to the side", bowl, {{0, -1, 0}, {1, 2, 0}}, enters(1)},
+        {"one number beyond the tangent", bowl, {{0, -1 - eps, 0}, {1, 2, 0}}, misses},
+        {"above the top", bowl, {{0, 5, 5}, {0, 0, -1}}, misses},
+        {"along the top", bowl, {{-5, 4, 0}, {1, 0, 0}}, enters(3)},
+        {"one number above the top", bowl, {{-5, 4 + 4 * eps, 0}, {1, 0, 0}}, misses},
+        {"touches the rim", bowl, {{0, 6, 0}, {1, -1, 0}}, enters(2)},
+        {"from the side inwards", bowl, {{1, 1, 0}, {-1, 0, 0}}, enters(0)},
+        {"from the side outwards", bowl, {{1, 1, 0}, {1, 0, 0}}, leaves(0)},
+        {"from the vertex inwards", bowl, {{0, 0, 0}, {0, 1, 0}}, enters(0)},
+        {"1e4 radii away", bowl, {{-20000, 1, 0}, {1, 0, 0}}, enters(19999)},
+        {"radius zero", {{0, 0, 0}, {0, 4, 0}, 0}, ahead, misses},
+        {"radius below zero", {{0, 0, 0}, {0, 4, 0}, -2}, ahead, misses},
+        {"vertex is top", {{0, 0, 0}, {0, 0, 0}, 2}, ahead, misses},
+        {"direction zero", bowl, {{0, 1, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", bowl, ahead, leaves(6), 4.5},
+        {"both crossings behind the window", bowl, ahead, misses, 0, 3.5},
+        {"window between the crossings", bowl, ahead, misses, 4.5, 5.5},
+        {"window that is not a number", bowl, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("paraboloid: properties of every shape", T, float, double) { check_properties<paraboloid<T>>(); }
+
+TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic", T, float, double) {
+    check_oracle<paraboloid<T>>();
+    check_accuracy<paraboloid<T>>(normal_run / 2);
+    check_bounds_of_errors<paraboloid<T>>(normal_run / 10);
+}
+
+TEST_CASE_TEMPLATE("open_paraboloid: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const open_paraboloid<T> dish{{0, 0, 0}, {0, 4, 0}, 2};
+    const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
+    check_cases<open_paraboloid<T>>({
+        {"the side", dish, ahead, enters(4)},
+        {"into the dish", dish, {{1, 9, 0}, {0, -1, 0}}, leaves(8)},
+        {"along the axis, from above", dish, {{0, 9, 0}, {0, -1, 0}}, leaves(9)},
+        {"along the axis, from below, and out", dish, {{0, -5, 0}, {0, 1, 0}}, misses, 6},
+        {"tangent to the vertex", dish, {{-5, 0, 0}, {1, 0, 0}}, enters(5)},
+        {"along the rim", dish, {{-5, 4, 0}, {1, 0, 0}}, enters(3)},
+        {"one number above the rim", dish, {{-5, 4 + 4 * eps, 0}, {1, 0, 0}}, misses},
+        {"onto the rim from within", dish, {{-2, 8, 0}, {1, -1, 0}}, leaves(4)},
+        {"radius zero", {{0, 0, 0}, {0, 4, 0}, 0}, ahead, misses},
+        {"vertex is top", {{0, 0, 0}, {0, 0, 0}, 2}, ahead, misses},
+        {"direction zero", dish, {{0, 1, 0}, {0, 0, 0}}, misses},
+        {"first crossing before the window", dish, ahead, leaves(6), 4.5},
+        {"window that is not a number", dish, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("open_paraboloid: properties of every shape", T, float, double) {
+    check_properties<open_paraboloid<T>>();
+}
+
+TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic", T, float, double) {
+    check_accuracy<open_paraboloid<T>>(normal_run / 2, 1.0 / 200);
+    check_bounds_of_errors<open_paraboloid<T>>(normal_run / 10);
+}
+
+TEST_CASE_TEMPLATE("paraboloid: area", T, float, double) {
+    const double pi = std::numbers::pi;
+    CHECK(open_paraboloid<T>{{1, 2, 3}, {1, 2, 5}, 3}.area() == doctest::Approx(49 * pi / 4));  // of a 3, 4, 5
+    CHECK(paraboloid<T>{{1, 2, 3}, {1, 2, 5}, 3}.area() == doctest::Approx(49 * pi / 4 + 9 * pi));
+    CHECK(open_paraboloid<T>{{0, 0, 0}, {0, 0, T(1e-6)}, 3}.area() == doctest::Approx(9 * pi));  // a disc
+}
+
+TEST_CASE_TEMPLATE("paraboloid: bounds are tight", T, float, double) {
+    const aabb<T> box = paraboloid<T>{{0, 0, 0}, {0, 3, 4}, 1}.bounds();
+    CHECK(box.min.x == doctest::Approx(-1));
+    CHECK(box.max.y == doctest::Approx(3.8));
+    CHECK(box.min.y == doctest::Approx(-0.64 / 12));
+    CHECK(box.max.z == doctest::Approx(4.6));
+    CHECK(box.min.z == doctest::Approx(-0.36 / 16));
+}
+
+TEST_CASE_TEMPLATE("paraboloid: uv and normal", T, float, double) {
+    const paraboloid<T> bowl{{0, 0, 0}, {0, 0, 4}, 2};
+    const auto hit = [&](const ray<T>& ray) {
+        hit_record<T> rec;
+        REQUIRE(bowl.hit(ray, T(0), infinity<T>, rec));
+        return rec;
+    };
+    CHECK(hit({{9, 0, 1}, {-1, 0, 0}}).uv == vec2<T>(0, 0.25));
+    CHECK(hit({{0, 1, -9}, {0, 0, 1}}).uv == vec2<T>(0.25, 0.25));
+    CHECK(hit({{-1, 0, 9}, {0, 0, -1}}).uv == vec2<T>(0.5, 0.5));
+    CHECK(hit({{0, 0, -9}, {0, 0, 1}}).uv.y == T(0));
+    CHECK(hit({{0, 0, -9}, {0, 0, 1}}).normal == vec3<T>(0, 0, -1));
+    const T root = T(std::sqrt(0.2));  // the gradient is (2 x, 2 y, -1)
+    CHECK(length(hit({{9, 0, 1}, {-1, 0, 0}}).normal - vec3<T>(2 * root, 0, -root)) <
+          2 * std::numeric_limits<T>::epsilon());
+}
+
+TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<paraboloid<T>>(nightly_run);
+}
+
+TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<open_paraboloid<T>>(nightly_run, 1.0 / 200);
+}
+
+}  // namespace raio::test
