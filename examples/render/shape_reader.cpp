@@ -93,6 +93,16 @@ shape read_triangle(tokens& in, int) {
     return triangle;
 }
 
+shape read_bilinear_patch(tokens& in, int) {
+    constexpr auto what = "the corners of a bilinear patch";
+    const vec3 p00 = vector(in, what), p10 = vector(in, what), p01 = vector(in, what), p11 = vector(in, what);
+    const vec3 middle = raio::cross(p11 - p00, p01 - p10), side = raio::cross(p10 - p00, p01 - p00);
+    if (middle == vec3(0) && side == vec3(0)) {
+        in.fail("a bilinear patch without area", "corners that are not on one line");
+    }
+    return kept(raio::bilinear_patch<number>{p00, p10, p01, p11});
+}
+
 shape read_parallelogram(tokens& in, int) {
     const vec3 corner = vector(in, "the corner of a parallelogram");
     constexpr auto what = "the edges of a parallelogram";
@@ -274,6 +284,7 @@ const by_name<shape_reading> shapes{
     {"box", read_box},
     {"cylinder", read_cylinder<raio::cylinder<number>>},
     {"open_cylinder", read_cylinder<raio::open_cylinder<number>>},
+    {"bilinear_patch", read_bilinear_patch},
     {"parallelogram", read_parallelogram},
     {"polyhedron", read_polyhedron},
     {"capsule", plain<raio::capsule<number>>("a capsule", point{"base"}, point{"top"}, measure{"radius"})},

@@ -45,17 +45,23 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
     return {c, size, u, v, det_error, u_error, v_error};
 }
 
-/// Records the crossing with a flat shape that has such edges. Seen edge-on, the computed point may lie beyond the
-/// corners that the exact one lies between.
+/// Records a point that lies between corners: seen edge-on, the computed one may lie beyond them.
 template <class W, real R, real T, real N>
-RAIO_FN constexpr void record_between(const aabb<T>& corners, const vec3<W>& e1, const vec3<W>& e2, const ray<R>& ray,
-                                      const crossing<W>& at, hit_record<T, N>& rec) {
-    vec3<W> normal = cross(scaled_into_range<T>(e1), scaled_into_range<T>(e2));
-    vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal)));
-    record_point(ray, at, rec);
+RAIO_FN constexpr void record_point_between(const aabb<T>& corners, const ray<R>& ray, const crossing<W>& at,
+                                            hit_record<T, N>& rec, T bend = T(0)) {
+    record_point(ray, at, rec, bend);
     const auto between = [](T low, T high, T x) { return max(low, min(high, x)); };
     rec.point = {between(corners.min.x, corners.max.x, rec.point.x), between(corners.min.y, corners.max.y, rec.point.y),
                  between(corners.min.z, corners.max.z, rec.point.z)};
+}
+
+/// Records the crossing with a flat shape that has such edges.
+template <class W, real R, real T, real N>
+RAIO_FN constexpr void record_flat(const aabb<T>& corners, const vec3<W>& e1, const vec3<W>& e2, const ray<R>& ray,
+                                   const crossing<W>& at, hit_record<T, N>& rec) {
+    vec3<W> normal = cross(scaled_into_range<T>(e1), scaled_into_range<T>(e2));
+    vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal)));
+    record_point_between(corners, ray, at, rec);
     rec.normal = outward * select(at.entering, N(1), N(-1));
 }
 

@@ -162,6 +162,9 @@ TEST_CASE("shapes that the course has not are read") {
     CHECK(tube.top == vec3(1, 2, 13));
     CHECK(tube.radius == 0.5);
 
+    const auto saddle = only_shape<raio::any_primitive<number>>("bilinear_patch 0 0 0  1 0 0  0 1 0  1 1 1");
+    CHECK(saddle.occluded(ray{{0.5, 0.25, 0}, {0, 0, 1}}, 0.125, 0.125));
+
     const auto wall = only_shape<raio::parallelogram<number>>("parallelogram 1 2 3  4 5 6  7 8 10");
     CHECK(wall.corner == vec3(1, 2, 3));
     CHECK(wall.edge_u == vec3(4, 5, 6));

@@ -25,10 +25,10 @@ std::string repeated(std::string_view words, int times) {
 
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
-    "a shape: algebraic, box, capsule, circle, cone, cylinder, difference, disc, frustum, intersection, mesh, "
-    "open_algebraic, open_cone, open_cylinder, open_frustum, open_paraboloid, open_quadric, oriented_box, "
-    "paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, sphere, "
-    "tetrahedron, torus, triangle, union";
+    "a shape: algebraic, bilinear_patch, box, capsule, circle, cone, cylinder, difference, disc, frustum, "
+    "intersection, mesh, open_algebraic, open_cone, open_cylinder, open_frustum, open_paraboloid, open_quadric, "
+    "oriented_box, paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, "
+    "sphere, tetrahedron, torus, triangle, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -192,6 +192,9 @@ const bad_scene bad_objects[] = {
     {"a cylinder lower than the rounding of its base",
      {.objects = "1 0 0 cylinder 0 1e20 0 0 1 0 1 1"},
      "5: found a height that is lost in the rounding of the base, expected a higher cylinder"},
+    {"a bilinear patch without area",
+     {.objects = "1 0 0 bilinear_patch 0 0 0 1 2 3 2 4 6 3 6 9"},
+     "5: found a bilinear patch without area, expected corners that are not on one line"},
     {"a parallelogram without area",
      {.objects = "1 0 0 parallelogram 0 0 0 1 2 3 2 4 6"},
      "5: found a parallelogram without area, expected edges that are not on one line"},

@@ -37,7 +37,7 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<numb
     if constexpr (requires { about::grown(exact_shape); }) {
         const std::vector larger = all_crossings<oracle>(about::grown(exact_shape), exact_ray);
         if (larger.size() > crossings.size()) return larger;
-        for (std::size_t i = 0; i < crossings.size(); ++i) {
+        for (std::size_t i = 0; i < larger.size(); ++i) {
             if (!crossings[i].exists) crossings[i] = larger[i];
         }
     }

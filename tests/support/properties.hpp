@@ -90,7 +90,8 @@ std::string direction_not_scaled(const probe<Shape>& p) {
         bool in_range = true;
         const auto scaled = [&](T x, int e) {
             const T y = std::ldexp(x, e);
-            in_range = in_range && (x == 0 || (std::isnormal(x) && std::isnormal(y)));
+            // What is rounded up to the smallest normal number was out of range as well.
+            in_range = in_range && (x == 0 || (std::isnormal(x) && std::isnormal(y) && std::ldexp(y, -e) == x));
             return y;
         };
         ray<T> ray = p.ray;

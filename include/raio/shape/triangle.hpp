@@ -55,7 +55,7 @@ struct triangle {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
         vec3<W> e1 = vec3<W>(b) - vec3<W>(a), e2 = vec3<W>(c) - vec3<W>(a);
-        record_between(corners(), e1, e2, ray, at, rec);
+        record_flat(corners(), e1, e2, ray, at, rec);
         const T u = max(T(0), min(T(1), T(at.uv.x)));
         rec.uv = {u, max(T(0), min(T(1) - u, T(at.uv.y)))};
     }
