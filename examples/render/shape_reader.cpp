@@ -103,6 +103,19 @@ shape read_bilinear_patch(tokens& in, int) {
     return kept(raio::bilinear_patch<number>{p00, p10, p01, p11});
 }
 
+shape read_heightfield(tokens& in, int) {
+    const auto [min_x, min_y, max_x, max_y] = numbers<4>(in, "the corners of a heightfield");
+    if (!(min_x < max_x && min_y < max_y)) in.fail("a heightfield without width", "the lesser coordinates first");
+    const std::size_t columns = in.expect_count("columns of a heightfield"),
+                      rows = in.expect_count("rows of a heightfield");
+    if (columns < 2 || rows < 2) in.fail("a heightfield without a cell", "two columns and two rows at least");
+    raio::heightfield<number> field{{min_x, min_y}, {max_x, max_y}, static_cast<std::uint32_t>(columns), {}};
+    for (std::size_t left = columns * rows; left > 0; --left) {
+        field.heights.push_back(in.expect_number("a height of a heightfield"));
+    }
+    return kept(std::move(field));
+}
+
 shape read_parallelogram(tokens& in, int) {
     const vec3 corner = vector(in, "the corner of a parallelogram");
     constexpr auto what = "the edges of a parallelogram";
@@ -285,6 +298,7 @@ const by_name<shape_reading> shapes{
     {"cylinder", read_cylinder<raio::cylinder<number>>},
     {"open_cylinder", read_cylinder<raio::open_cylinder<number>>},
     {"bilinear_patch", read_bilinear_patch},
+    {"heightfield", read_heightfield},
     {"parallelogram", read_parallelogram},
     {"polyhedron", read_polyhedron},
     {"capsule", plain<raio::capsule<number>>("a capsule", point{"base"}, point{"top"}, measure{"radius"})},

@@ -20,6 +20,7 @@
 #include <raio/shape/disc.hpp>
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/paraboloid.hpp>
+#include <raio/shape/heightfield.hpp>
 #include <raio/shape/parallelogram.hpp>
 #include <raio/shape/plane.hpp>
 #include <raio/shape/polyhedra.hpp>

@@ -26,9 +26,9 @@ std::string repeated(std::string_view words, int times) {
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
     "a shape: algebraic, bilinear_patch, box, capsule, circle, cone, cylinder, difference, disc, frustum, "
-    "intersection, mesh, open_algebraic, open_cone, open_cylinder, open_frustum, open_paraboloid, open_quadric, "
-    "oriented_box, paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, "
-    "sphere, tetrahedron, torus, triangle, union";
+    "heightfield, intersection, mesh, open_algebraic, open_cone, open_cylinder, open_frustum, open_paraboloid, "
+    "open_quadric, oriented_box, paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, "
+    "regular_solid, ring, sphere, tetrahedron, torus, triangle, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -195,6 +195,12 @@ const bad_scene bad_objects[] = {
     {"a bilinear patch without area",
      {.objects = "1 0 0 bilinear_patch 0 0 0 1 2 3 2 4 6 3 6 9"},
      "5: found a bilinear patch without area, expected corners that are not on one line"},
+    {"a heightfield without width",
+     {.objects = "1 0 0 heightfield 0 0 0 1 2 2 0 0 0 0"},
+     "5: found a heightfield without width, expected the lesser coordinates first"},
+    {"a heightfield of one row",
+     {.objects = "1 0 0 heightfield 0 0 1 1 2 1 0 0"},
+     "5: found a heightfield without a cell, expected two columns and two rows at least"},
     {"a parallelogram without area",
      {.objects = "1 0 0 parallelogram 0 0 0 1 2 3 2 4 6"},
      "5: found a parallelogram without area, expected edges that are not on one line"},
