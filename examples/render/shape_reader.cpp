@@ -249,6 +249,17 @@ shape read_algebraic(tokens& in, int) {
     return kept(raio::algebraic<number, highest, Closed>{min, max, terms});
 }
 
+shape read_surface_of_revolution(tokens& in, int) {
+    raio::surface_of_revolution<number> surface{
+        vector(in, "the base of a surface of revolution"), direction(in, "the axis of a surface of revolution"), {}};
+    surface.profile = section(in, "points of a profile", [&] {
+        const number radius = in.expect_number("the radius of a profile's point", not_negative);
+        return vec2{radius, in.expect_number("the height of a profile's point")};
+    });
+    if (!(surface.area() > 0)) in.fail("a profile that sweeps no area", "two points or more, not all on the axis");
+    return kept(std::move(surface));
+}
+
 /// What several solids are together, two by two, so that the tree of them is as flat as it can be.
 any_solid combined(std::span<const any_solid> parts, any_solid (*combine)(any_solid, any_solid)) {
     if (parts.size() == 1) return parts.front();
@@ -322,6 +333,7 @@ const by_name<shape_reading> shapes{
     {"open_quadric", read_quadric<false>},
     {"algebraic", read_algebraic<true>},
     {"open_algebraic", read_algebraic<false>},
+    {"surface_of_revolution", read_surface_of_revolution},
     {"union", read_union},
     {"intersection", read_intersection},
     {"difference", read_difference},

@@ -27,6 +27,7 @@
 #include <raio/shape/quadric.hpp>
 #include <raio/shape/ring.hpp>
 #include <raio/shape/sphere.hpp>
+#include <raio/shape/surface_of_revolution.hpp>
 #include <raio/shape/torus.hpp>
 #include <raio/shape/triangle.hpp>
 #include <raio/shape/watertight_triangle.hpp>

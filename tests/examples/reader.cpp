@@ -207,6 +207,11 @@ TEST_CASE("shapes are read as the fields that raio has") {
     const auto plane = only_shape<raio::any_primitive<number>>("open_algebraic -3 -3 -3  3 3 3  1  1 0 1 0");
     CHECK(plane.occluded(up, 8, 8));
 
+    const auto pot = only_shape<raio::any_primitive<number>>("surface_of_revolution 0 1 0  0 2 0  3  0 0  2 0  1 1.5");
+    CHECK(pot.occluded(ray{{-8, 1, 0}, {1, 0, 0}}, 6, 6));
+    CHECK(pot.occluded(ray{{-8, 4, 0}, {1, 0, 0}}, 7, 7));
+    CHECK_FALSE(pot.occluded(ray{{-8, 4.5, 0}, {1, 0, 0}}, 0, 100));
+
     const auto ring = only_shape<raio::any_primitive<number>>("ring 0 1 0  0 2 0  1 3");
     CHECK(ring.occluded(ray{{2, 0, 0}, {0, 1, 0}}, 1, 1));
     CHECK_FALSE(ring.occluded(ray{{0.5, 0, 0}, {0, 1, 0}}, 0, 10));

@@ -28,7 +28,7 @@ const std::string shapes =
     "a shape: algebraic, bilinear_patch, box, capsule, circle, cone, cylinder, difference, disc, frustum, "
     "heightfield, intersection, mesh, open_algebraic, open_cone, open_cylinder, open_frustum, open_paraboloid, "
     "open_quadric, oriented_box, paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, "
-    "regular_solid, ring, sphere, tetrahedron, torus, triangle, union";
+    "regular_solid, ring, sphere, surface_of_revolution, tetrahedron, torus, triangle, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -243,6 +243,9 @@ const bad_scene bad_objects[] = {
     {"a regular solid of seven faces",
      {.objects = "1 0 0 regular_solid 7 0 0 0 1"},
      "5: found '7', expected 4, 6, 8, 12 or 20 for the faces of a regular solid"},
+    {"a profile on the axis",
+     {.objects = "1 0 0 surface_of_revolution 0 0 0 0 1 0 2 0 0 0 1"},
+     "5: found a profile that sweeps no area, expected two points or more, not all on the axis"},
     {"a box inside out",
      {.objects = "1 0 0 box 0 0 0 1 -1 1"},
      "5: found a minimum above the maximum of a box, expected the lesser coordinates first"},

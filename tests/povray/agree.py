@@ -96,6 +96,12 @@ def capsule(base, top, radius):
             f"sphere_sweep {{ linear_spline 2, {pov(base)}, {radius}, {pov(top)}, {radius} }}")
 
 
+def surface_of_revolution(profile):
+    """About the y axis; the profile of (radius, height)."""
+    return (f"surface_of_revolution 0 0 0 0 1 0 {len(profile)} {words(*profile)}",
+            f"lathe {{ linear_spline {len(profile)}, {', '.join(pov(point) for point in profile)} sturm }}")
+
+
 # Shapes made of shapes.
 
 
@@ -137,6 +143,8 @@ SCENES = {
                               ((1.0, 1.0, -1.0), -1.5), (times(X, -1.0), -1.2), (times(Y, -1.0), -0.9),
                               (times(Z, -1.0), -1.0)]),
                   box((1.5, -1.0, -2.0), (2.5, 1.0, -1.0))],
+    "turned": [surface_of_revolution([(0.0, -1.0), (0.9, -1.0), (0.9, -0.9), (0.2, -0.7), (0.15, 0.0), (0.8, 0.6),
+                                      (1.0, 1.5), (0.9, 1.5), (0.7, 0.7), (0.0, 0.1)])],
     "csg": [difference(intersection(box((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)), sphere((0.0, 0.0, 0.0), 1.35)),
                        cylinder(times(X, -2.0), times(X, 2.0), 0.6), cylinder(times(Y, -2.0), times(Y, 2.0), 0.6),
                        cylinder(times(Z, -2.0), times(Z, 2.0), 0.6)),
