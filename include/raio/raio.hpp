@@ -19,13 +19,14 @@
 #include <raio/shape/cylinder.hpp>
 #include <raio/shape/disc.hpp>
 #include <raio/shape/frustum.hpp>
-#include <raio/shape/paraboloid.hpp>
 #include <raio/shape/heightfield.hpp>
+#include <raio/shape/paraboloid.hpp>
 #include <raio/shape/parallelogram.hpp>
 #include <raio/shape/plane.hpp>
 #include <raio/shape/polyhedra.hpp>
 #include <raio/shape/quadric.hpp>
 #include <raio/shape/ring.hpp>
+#include <raio/shape/signed_distance.hpp>
 #include <raio/shape/sphere.hpp>
 #include <raio/shape/surface_of_revolution.hpp>
 #include <raio/shape/torus.hpp>

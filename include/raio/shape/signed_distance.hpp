@@ -1,0 +1,108 @@
+#pragma once
+
+#include <raio/shape/box.hpp>
+
+namespace raio {
+
+/// The solid where a function f of a point is not above 0, inside a box: blends, offsets, fractals, whatever can be
+/// written down.
+///
+/// Sphere tracing (Hart, The Visual Computer 12, 1996): where f is at most `lipschitz` times as steep as a distance, no
+/// point of the surface is nearer than |f| / lipschitz, and so far the ray may go in one step. The walk begins where
+/// the line enters the box, whatever the window is, so that all questions about a line hear of the same crossings.
+///
+/// This is not exact. A crossing is a t where |f| <= tolerance, f as it is computed for the rounded point: a ray that
+/// passes within the tolerance hits, what is thinner than that has two crossings in one place, and `error` is what the
+/// tolerance amounts to across the surface, by the slope of f there. It takes the more steps the less the tolerance is;
+/// that should be well above the rounding errors of f, which see whole numbers of 2^-24 of the box in float.
+///
+/// The normal is the slope of f, by differences over the third root of a roundoff of the box, where their error is
+/// least; where there is none, it points against the ray. uv is 0.
+template <real T, class Distance>
+struct signed_distance {
+    using number = T;
+
+    aabb<T> box;        ///< the solid lies inside of it
+    T tolerance;        ///< the largest |f| of a crossing, above 0
+    T lipschitz;        ///< above 0; 1 for a distance
+    Distance distance;  ///< f: takes a vec3<T>, answers with a T, below 0 inside
+
+    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return walk(ray, [&](T t, bool entering) {
+            if (!(t_min <= t && t <= t_max)) return false;
+            record(ray, t, entering, rec);
+            return true;
+        });
+    }
+
+    mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return walk(ray, [&](T t, bool) { return t_min <= t && t <= t_max; });
+    }
+
+    raio::spans<T, any_number> spans(const ray<T>& ray) const {
+        raio::spans<T, any_number> inside;
+        T entered(0);
+        walk(ray, [&](T t, bool entering) {
+            if (entering) {
+                entered = t;
+            } else {
+                inside.append({entered, t});
+            }
+            return false;
+        });
+        return inside;
+    }
+
+    aabb<T> bounds() const { return padded(box); }
+
+private:
+    /// Calls `visit` with every crossing, in order, and whether it enters, until that answers yes. Did it?
+    template <class Visit>
+    bool walk(const ray<T>& ray, Visit visit) const {
+        const interval<T> inside_box = raio::box<T>{box.min, box.max}.spans(ray);
+        const T speed = length(ray.direction) * lipschitz;
+        if (inside_box.empty() || !(tolerance > T(0) && speed > T(0) && is_finite(speed))) return false;
+
+        bool inside = false;
+        T last = inside_box.min;  // where f was last within the tolerance
+        for (T t = inside_box.min; t <= inside_box.max;) {
+            const T f = distance(ray.origin + ray.direction * t);
+            if (!is_finite(f)) return false;
+            if (!inside && f <= tolerance) {
+                inside = true;
+                if (visit(t, true)) return true;
+            } else if (inside && f > tolerance) {
+                inside = false;
+                if (visit(last, false)) return true;
+            }
+            if (abs(f) <= tolerance) last = t;
+            // Within the tolerance the next step is that long, which is too short to pass it by.
+            t = max(t + max(abs(f), tolerance) / speed, outward(t, T(1)));
+        }
+        return inside && visit(is_inside_at(ray, inside_box.max) ? inside_box.max : last, false);
+    }
+
+    bool is_inside_at(const ray<T>& ray, T t) const { return distance(ray.origin + ray.direction * t) < -tolerance; }
+
+    void record(const ray<T>& ray, T t, bool entering, hit_record<T>& rec) const {
+        record_point(ray, crossing<T>{true, true, t, T(0), entering}, rec);
+        const T step = T(std::cbrt(static_cast<double>(unit_roundoff<T>))) * norm1(vec3<T>(box.max - box.min));
+        const auto rise = [&](const vec3<T>& along) {
+            return (distance(rec.point + along * step) - distance(rec.point - along * step)) / (T(2) * step);
+        };
+        vec3<T> slope(rise({T(1), T(0), T(0)}), rise({T(0), T(1), T(0)}), rise({T(0), T(0), T(1)}));
+        const T steepness = length(slope), side = entering ? T(1) : T(-1);
+        const bool flat = !(steepness > T(0) && is_finite(steepness));
+        vec3<T> towards = normalize(ray.direction), facing = flat ? -towards : slope * (side / steepness);
+        // Where the slope is drowned in its error, and points along the ray, it is mirrored.
+        rec.normal = facing - towards * (T(2) * max(T(0), dot(facing, towards)));
+        rec.uv = vec2<T>(T(0));
+        // From the one end of the tolerance to beyond the other.
+        rec.error += vec3<T>(T(3) * tolerance / (flat ? lipschitz : steepness));
+    }
+};
+
+template <real T, class Distance>
+signed_distance(aabb<T>, T, T, Distance) -> signed_distance<T, Distance>;
+
+}  // namespace raio

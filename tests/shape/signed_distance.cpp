@@ -1,0 +1,141 @@
+#include <raio/shape/signed_distance.hpp>
+
+#include <raio/shape/sphere.hpp>
+#include <raio/shape/torus.hpp>
+
+#include "support/cases.hpp"
+
+namespace raio::test {
+
+namespace {
+
+template <class T>
+struct ball {
+    vec3<T> center;
+    T radius;
+    T operator()(const vec3<T>& p) const { return length(vec3<T>(p - center)) - radius; }
+};
+
+template <class T>
+struct doughnut {
+    T major_radius, minor_radius;
+    T operator()(const vec3<T>& p) const {
+        const T beyond = std::sqrt(p.x * p.x + p.y * p.y) - major_radius;
+        return std::sqrt(beyond * beyond + p.z * p.z) - minor_radius;
+    }
+};
+
+template <class T>
+constexpr T fine = std::same_as<T, float> ? T(1e-5) : T(1e-11);
+
+/// A ray towards anywhere in [-2, 2]^3; one in four along an axis, one in eight from near the middle.
+template <class T>
+ray<T> random_ray(random_numbers& random) {
+    const vec3<double> from = random.direction() * (random.one_in(8) ? random.uniform() : random.uniform(3, 6));
+    vec3<double> direction = random.direction() * random.uniform(0, 2) - from;
+    if (random.one_in(4)) {
+        const int axis = random.integer(0, 2);
+        for (glm::length_t i = 0; i < 3; ++i) direction[i] = i == axis ? direction[i] : 0;
+    }
+    return {vec3<T>(from), vec3<T>(direction * random.log_uniform(1e-3, 1e3))};
+}
+
+/// The crossings are those of the exact shape, but for rays that a shape larger or smaller by a few tolerances would
+/// cross another number of times; and all promises but exactness are kept.
+template <class T, class Function, class Exact>
+void check_beside(const signed_distance<T, Function>& shape, const Exact& exact, const Exact& larger,
+                  const Exact& smaller) {
+    random_numbers random(9);
+    int hits = 0, compared = 0;
+    for (int i = 0; i < normal_run / 5; ++i) {
+        const ray<T> ray = random_ray<T>(random);
+        INFO(literal(ray));
+        hit_record<T> rec = untouched_record<T>(), again;
+        const bool hit = shape.hit(ray, T(0), infinity<T>, rec);
+        REQUIRE(shape.occluded(ray, T(0), infinity<T>) == hit);
+        hits += hit;
+
+        const raio::spans found = shape.spans(ray);
+        const raio::spans is(exact.spans(ray)), outer(larger.spans(ray)), inner(smaller.spans(ray));
+        if (outer.count == is.count && inner.count == is.count) {
+            REQUIRE(found.count == is.count);
+            for (std::size_t k = 0; k < found.count; ++k) {
+                const auto& [entered, left] = found.begin()[k];
+                REQUIRE((outer.begin()[k].min <= entered && entered <= inner.begin()[k].min));
+                REQUIRE((inner.begin()[k].max <= left && left <= outer.begin()[k].max));
+            }
+            ++compared;
+        }
+        if (!hit) {
+            REQUIRE(same_record(rec, untouched_record<T>()));
+            continue;
+        }
+        REQUIRE(unsound_fields(rec) == "");
+        REQUIRE(std::abs(shape.distance(rec.point)) <= shape.tolerance * T(1.5));
+        REQUIRE(shape.bounds().contains(rec.point));
+        REQUIRE(dot(rec.normal, ray.direction) <= T(1e-6) * length(ray.direction));
+        REQUIRE((shape.hit(ray, rec.t, rec.t, again) && again.t == rec.t));
+        REQUIRE_FALSE(shape.hit(ray, T(0), std::nextafter(rec.t, T(-1)), again));
+        // The crossing of the exact surface is within the error, along the normal.
+        const vec3<T> outward = rec.front_face ? rec.normal : -rec.normal;
+        REQUIRE(shape.distance(rec.point + outward * rec.error) > T(0));
+        REQUIRE(shape.distance(rec.point - outward * rec.error) < T(0));
+        const vec3<T> direction(random.direction());
+        if (shape.hit(spawn_ray(rec, direction), T(0), infinity<T>, again)) {
+            REQUIRE(again.front_face == ((dot(rec.normal, direction) > T(0)) == rec.front_face));
+        }
+    }
+    CHECK(hits > normal_run / 20);
+    CHECK(compared > normal_run / 6);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("signed_distance: as the exact shapes, within the tolerance", T, float, double) {
+    const T tolerance = fine<T>, more = 4 * tolerance;
+    const aabb<T> box{vec3<T>(-2), vec3<T>(2)};
+    const vec3<T> center(T(0.25), T(0.5), T(-0.25));
+    check_beside(signed_distance<T, ball<T>>{box, tolerance, 1, {center, 1}}, sphere<T>{center, 1},
+                 sphere<T>{center, 1 + more}, sphere<T>{center, 1 - more});
+    const vec3<T> up(0, 0, 1);
+    check_beside(signed_distance<T, doughnut<T>>{box, tolerance, 1, {1, T(0.5)}}, torus<T>{{0, 0, 0}, up, 1, T(0.5)},
+                 torus<T>{{0, 0, 0}, up, 1, T(0.5) + more}, torus<T>{{0, 0, 0}, up, 1, T(0.5) - more});
+}
+
+TEST_CASE_TEMPLATE("signed_distance: named cases", T, float, double) {
+    const T tolerance = fine<T>;
+    const aabb<T> box{vec3<T>(-2), vec3<T>(2)};
+    const signed_distance shape{box, tolerance, T(1), ball<T>{{0, 0, 0}, 1}};
+    const auto t_of = [&](const auto& s, const ray<T>& ray, T t_min = 0) {
+        hit_record<T> rec;
+        return s.hit(ray, t_min, infinity<T>, rec) ? rec.t : T(-1);
+    };
+    const auto about = [&](T t) { return doctest::Approx(double(t)).epsilon(4 * double(tolerance)); };
+    const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
+    CHECK(t_of(shape, ahead) == about(4));
+    CHECK(t_of(shape, ahead, 4.5) == about(6));
+    CHECK(t_of(shape, {{0, 0, 0}, {0, 0, -1}}) == about(1));
+    CHECK(t_of(shape, {{0, 0, 5}, {0, 0, 1}}) == T(-1));
+    CHECK(t_of(shape, {{0, 0, 1}, {0, 0, -1}}, tolerance * 4) == about(2));           // on the surface, inwards
+    CHECK(t_of(shape, {{0, 0, 1}, {0, 0, 1}}, tolerance * 4) == T(-1));               // and outwards
+    CHECK(t_of(shape, {{1, 0, 5}, {0, 0, -1}}) == doctest::Approx(5).epsilon(0.01));  // tangent
+    CHECK(t_of(shape, {{1 + 2 * tolerance, 0, 5}, {0, 0, -1}}) == T(-1));  // beside it by more than the tolerance
+    CHECK(t_of(shape, {{0, 0, 5}, {0, 0, 0}}) == T(-1));
+    CHECK(t_of(shape, {{0, 0, nan<T>}, {0, 0, -1}}) == T(-1));
+    CHECK(t_of(shape, {{0, 0, 5}, {0, nan<T>, -1}}) == T(-1));
+    CHECK(t_of(shape, {{0, 0, 5}, {0, 0, -infinity<T>}}) == T(-1));
+    CHECK(t_of(shape, ahead, nan<T>) == T(-1));
+    // What is not in the box is not there; what is twice as steep needs the bound that says so.
+    CHECK(t_of(signed_distance{aabb<T>{vec3<T>(2), vec3<T>(3)}, tolerance, T(1), ball<T>{{0, 0, 0}, 1}}, ahead) ==
+          T(-1));
+    const auto steep = [](const vec3<T>& p) { return 2 * (std::abs(p.z) - T(0.5)); };
+    CHECK(t_of(signed_distance{box, tolerance, T(2), steep}, ahead) == about(4.5));
+    CHECK(t_of(signed_distance{box, T(0), T(1), ball<T>{{0, 0, 0}, 1}}, ahead) == T(-1));
+    CHECK(t_of(signed_distance{box, tolerance, T(0), ball<T>{{0, 0, 0}, 1}}, ahead) == T(-1));
+    CHECK(t_of(signed_distance{box, tolerance, T(1), ball<T>{{0, 0, 0}, nan<T>}}, ahead) == T(-1));
+    CHECK(t_of(signed_distance{aabb<T>{}, tolerance, T(1), ball<T>{{0, 0, 0}, 1}}, ahead) == T(-1));
+}
+
+static_assert(solid<signed_distance<float, ball<float>>> && bounded<signed_distance<double, ball<double>>>);
+
+}  // namespace raio::test
