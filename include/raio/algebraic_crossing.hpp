@@ -22,6 +22,7 @@ struct line_part {
     vec3<W> from{W(0)}, along{W(0)};
     vec3<E> error{E(0)};  ///< how far `from` may be off
     W middle{0}, half{0};
+    W reach{1};  ///< all that is in the ball lies between x = -reach and reach
 
     /// One coordinate of the point, as a polynomial in x.
     RAIO_FN constexpr polynomial<W, 1> coordinate(glm::length_t axis) const {
@@ -47,7 +48,10 @@ RAIO_FN constexpr line_part<W> part_near(const ray<R>& ray, const vec3<T>& base,
     if (!(d2 >= W(least_normal<W>)) || !(radius > W(0))) return part;
     // A little more than the ball, so that whatever it contains is clearly within.
     W size = radius * W(1 + 0x1p-8);
-    part.middle = dot(l, d) / d2, part.half = size / sqrt(d2);
+    part.half = size / sqrt(d2);
+    // A line that starts within the ball is seen from its origin: what is close to it keeps its digits.
+    const bool starts_within = dot(l, l) <= size * size;
+    part.middle = starts_within ? W(0) : dot(l, d) / d2, part.reach = W(starts_within ? 2 : 1);
     vec3<W> step = d * part.middle;
     part.from = (o - vec3<W>(base)) + step, part.along = d * part.half;
     part.error = (abs(vec3<E>(o)) + abs(vec3<E>(vec3<W>(base))) + abs(vec3<E>(step))) * E(4 * u);
@@ -95,8 +99,8 @@ RAIO_FN constexpr void start_at_origin(crossing_list<W, N>& list) {
 template <class W>
 RAIO_FN constexpr vec2<W> range_of(const chord<W>& clip, const line_part<W>& part) {
     W over_half = W(1) / part.half, more(0x1p-6);
-    return {max(W(-1), (clip.near.t - part.middle) * over_half - more),
-            min(W(1), (clip.far.t - part.middle) * over_half + more)};
+    return {max(-part.reach, (clip.near.t - part.middle) * over_half - more),
+            min(part.reach, (clip.far.t - part.middle) * over_half + more)};
 }
 
 }  // namespace detail
@@ -144,18 +148,18 @@ RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W,
     return list;
 }
 
-/// The surface where f = 0, as far as it is within a convex solid. A line that lies in the surface is nowhere crossing
-/// it.
-template <class W, std::size_t N>
+/// The surface where f = 0, as far as it is within a convex solid, and as far as `belongs(root)` says. A line that lies
+/// in the surface is nowhere crossing it.
+template <class W, std::size_t N, class Belongs>
 RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N>& f, const line_part<W>& part,
-                                                           const chord<W>& clip) {
+                                                           const chord<W>& clip, Belongs belongs) {
     using E = bound_t<W>;
     const vec2<W> range = detail::range_of(clip, part);
     const auto [roots, begins_inside] = find_roots(f, range.x, range.y);
     crossings_of_degree<W, N> list;
     list.certain = roots.certain && clip.near.certain;
     for (const polynomial_root<W>& root : roots) {
-        if (root.before * root.after == 0) continue;
+        if (root.before * root.after == 0 || !belongs(root)) continue;
         crossing<W> c = part.at(root, root.before > 0);
         E before(c.t - clip.near.t), before_error = c.error + clip.near.error;
         E after(clip.far.t - c.t), after_error = c.error + clip.far.error;
@@ -165,6 +169,11 @@ RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N
     }
     detail::start_at_origin(list);
     return list;
+}
+template <class W, std::size_t N>
+RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N>& f, const line_part<W>& part,
+                                                           const chord<W>& clip = everywhere<W>()) {
+    return open_crossings(f, part, clip, [](const polynomial_root<W>&) { return true; });
 }
 
 /// Records a point of the surface and the normal along the gradient of f, which points outwards. Where f has none, at a

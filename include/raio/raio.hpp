@@ -28,7 +28,9 @@
 #include <raio/shape/ring.hpp>
 #include <raio/shape/signed_distance.hpp>
 #include <raio/shape/sphere.hpp>
+#include <raio/shape/steiner.hpp>
 #include <raio/shape/surface_of_revolution.hpp>
+#include <raio/shape/teardrop.hpp>
 #include <raio/shape/torus.hpp>
 #include <raio/shape/triangle.hpp>
 #include <raio/shape/watertight_triangle.hpp>

@@ -158,8 +158,8 @@ TEST_CASE_TEMPLATE("algebraic: properties of every shape", T, float, double) {
 TEST_CASE_TEMPLATE("algebraic: as exact arithmetic", T, float, double) {
     check_oracle<algebraic<T, 4>>();
     check_accuracy<algebraic<T, 4>>(normal_run / 2);
-    check_accuracy<algebraic<T, 3>>(normal_run / 10);
-    check_accuracy<algebraic<T, 8>>(normal_run / 20);
+    check_accuracy<algebraic<T, 3>>(normal_run / 10, 1.0 / 200);
+    check_accuracy<algebraic<T, 8>>(normal_run / 20, 1.0 / 200);
     check_bounds_of_errors<algebraic<T, 4>>(normal_run / 10);
 }
 

@@ -136,7 +136,8 @@ struct boxed_subject {
     template <class Exact>
     static oracle distance(const Exact& s, const vec3<oracle>& p) {
         const oracle off = distance_by_gradient(s.value(p), s.gradient(p)), beyond = distance_to_box(s.min, s.max, p);
-        return max(beyond, solid<Shape> ? off : oracle(abs(off)));
+        // A surface ends where it leaves the box: beyond, it is not as far as the box.
+        return solid<Shape> ? max(beyond, off) : max(oracle(beyond / 2), oracle(abs(off)));
     }
 };
 

@@ -20,6 +20,24 @@ RAIO_FN constexpr polynomial<W, N> operator+(const polynomial<W, N>& a, const po
     return sum;
 }
 
+template <real W, std::size_t N>
+RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a) {
+    polynomial<W, N> minus = a;
+    for (W& c : minus.coefficient) c = -c;
+    return minus;
+}
+template <real W, std::size_t N>
+RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a, const polynomial<W, N>& b) {
+    return a + -b;
+}
+
+/// A number that was computed with so many roundings.
+template <real W>
+RAIO_FN constexpr polynomial<W, 0> constant(const W& c, int roundings = 0) {
+    using E = bound_t<W>;
+    return {{c}, {E(roundings * unit_roundoff<W>) * abs(E(c))}};
+}
+
 /// The product up to the power K of t. Where the powers beyond it are zero, that is all of it.
 template <std::size_t K, real W, std::size_t N, std::size_t M>
 RAIO_FN constexpr polynomial<W, K> product(const polynomial<W, N>& a, const polynomial<W, M>& b) {

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+
+#include <raio/algebraic_crossing.hpp>
+#include <raio/concepts.hpp>
+
+namespace raio {
+
+/// Steiner's Roman surface (Steiner 1844; Apery, Models of the Real Projective Plane, 1987): the points
+/// size (b c, c a, a b) of all unit vectors (a, b, c), seen from `center`, in a cube with edges of length `size`.
+///
+///     f = x^2 y^2 + y^2 z^2 + z^2 x^2 - size x y z = 0
+///
+/// It closes four lobes, where f < 0 and x y z > 0, which meet in the centre and in three segments of the axes: there
+/// two sheets cross, and the normal is against the ray. f is zero on all of the axes; beyond the cube, which is beyond
+/// the surface, they do not belong to it. Neither is a ray met that runs along one of them.
+///
+/// uv: x and y of the point, from 0 to 1 across the cube.
+template <real T>
+struct steiner {
+    using number = T;
+
+    vec3<T> center;
+    T size;  ///< of the cube around it; missed unless it is positive
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    /// Inside the lobes.
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const {
+        vec3<T> half(size / T(2));
+        return padded(padded(aabb<T>{center - half, center + half}));
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray) const {
+        using E = bound_t<W>;
+        // The lobes reach as far as their tips at size / 3 (1, 1, 1), which are 0.58 away, and as the cube's faces.
+        const auto part = part_near(ray, center, vec3<W>(center), W(size) * W(0.5859375));
+        if (!part.exists) return {.certain = part.certain};
+        const auto over_size = constant(W(1) / W(size), 2);
+        const auto coordinate = [&](glm::length_t axis) { return product<1>(part.coordinate(axis), over_size); };
+        const auto x = coordinate(0), y = coordinate(1), z = coordinate(2);
+        const auto x2 = product<2>(x, x), y2 = product<2>(y, y), z2 = product<2>(z, z);
+        const auto f = product<4>(x2, y2 + z2) + product<4>(y2, z2) - product<4>(product<2>(x, y), z);
+
+        // Where f only touches zero from above, that may be an axis beyond the cube.
+        const auto belongs = [&](const polynomial_root<W>& root) {
+            if (root.before < 0 || root.after < 0) return true;
+            bool within = true;
+            for (glm::length_t axis = 0; axis < 3; ++axis) {
+                E at(part.from[axis] + part.along[axis] * root.t);
+                E error = part.error[axis] + E(0x1p10 * unit_roundoff<W>) * abs(E(part.along[axis]));
+                within = within && abs(at) <= E(W(size)) * E(0.5) + error;
+            }
+            return within;
+        };
+        return open_crossings(f, part, everywhere<W>(), belongs);
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
+        vec3<W> p = from_center * (W(1) / W(size)), squares = p * p;
+        vec3<W> gradient(W(2) * p.x * (squares.y + squares.z) - p.y * p.z,
+                         W(2) * p.y * (squares.z + squares.x) - p.z * p.x,
+                         W(2) * p.z * (squares.x + squares.y) - p.x * p.y);
+        record_gradient(ray, c, gradient, size, rec);
+        const auto place = [](const W& x) { return raio::max(T(0), raio::min(T(1), T(x + W(0.5)))); };
+        rec.uv = {place(p.x), place(p.y)};
+    }
+};
+
+}  // namespace raio

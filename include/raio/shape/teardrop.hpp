@@ -1,0 +1,95 @@
+#pragma once
+
+#include <raio/algebraic_crossing.hpp>
+#include <raio/concepts.hpp>
+#include <raio/math/angle.hpp>
+#include <raio/math/frame.hpp>
+
+namespace raio {
+
+/// A drop that hangs from its tip: the pear-shaped quartic (piriform; Lawrence, A Catalog of Special Plane Curves,
+/// 1972), turned about its axis. At the height h, which is 0 at the bottom and 1 at the tip, the distance rho from the
+/// axis is
+///
+///     rho^2 = radius^2 (256 / 27) h (1 - h)^3
+///
+/// so that it is widest at h = 1/4, and `radius` there. A radius of sqrt(27) / 16 = 0.32 of the height makes it the
+/// curve of the textbooks, 4 rho^2 = (1 + z) (1 - z)^3 for z from -1 to 1. With A = tip - bottom and p seen from the
+/// bottom, h = p.A / A.A and rho = |p x A| / |A|, both free of cancellation; along a line they are polynomials of
+/// degree 1 and of degree 2 (squared), and the surface is a quartic. At the tip it has no normal: there it is against
+/// the ray.
+///
+/// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v is h.
+template <real T>
+struct teardrop {
+    using number = T;
+
+    vec3<T> bottom, tip;
+    T radius;  ///< where it is widest; missed unless it is positive and bottom and tip differ
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const {
+        vec3<T> axis = tip - bottom;
+        vec3<T> reach = disc_reach(axis, radius) + vec3<T>((norm1(axis) + radius) * T(unit_roundoff<T>));
+        const auto around = [&](const vec3<T>& p) { return aabb<T>{p - reach, p + reach}; };
+        return padded(padded(hull(around(bottom), around(tip))));
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray) const {
+        vec3<W> low(bottom), axis = vec3<W>(tip) - low;
+        W r(radius), axis2 = dot(axis, axis);
+        const bool sound = radius > T(0) && axis2 >= W(least_normal<W>) && r * r >= W(least_normal<W>);
+        if (!sound || !is_finite(bottom) || !is_finite(tip)) return {};
+        W over_axis2 = W(1) / axis2, over_r = W(1) / r;
+        const auto part = part_near(ray, bottom, low + axis * W(0.5), sqrt(axis2 * W(0.25) + r * r));
+        if (!part.exists) return {.certain = part.certain};
+
+        const auto x = part.coordinate(0), y = part.coordinate(1), z = part.coordinate(2);
+        const auto a = constant(axis.x, 1), b = constant(axis.y, 1), c = constant(axis.z, 1);
+        const auto along = product<1>(x, a) + product<1>(y, b) + product<1>(z, c);
+        const auto across2 = squared(product<1>(y, c) - product<1>(z, b)) +
+                             squared(product<1>(z, a) - product<1>(x, c)) +
+                             squared(product<1>(x, b) - product<1>(y, a));
+        const auto h = product<1>(along, constant(over_axis2, 8));
+        const auto below = polynomial<W, 1>{{W(1)}} - h;
+        const auto width = product<4>(product<4>(h, below), squared(below));
+        const auto scale = product<0>(constant(W(27) * over_axis2, 10), squared(constant(over_r, 1)));
+        const auto f = product<4>(across2, scale) - product<4>(width, constant(W(256)));
+        return open_crossings(f, part);
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        using Q = quick_t<N>;
+        vec3<W> axis = vec3<W>(tip) - vec3<W>(bottom);
+        vec3<W> p = (vec3<W>(ray.origin) - vec3<W>(bottom)) + vec3<W>(ray.direction) * c.t;
+        W over_axis2 = W(1) / dot(axis, axis), h = dot(p, axis) * over_axis2, below = W(1) - h, r(radius);
+        vec3<W> from_axis = p - axis * h;
+        // Half the gradient, times the square of the radius.
+        W slope = W(128) * below * below * (W(1) - W(4) * h) * over_axis2 * r * r;
+        // A slender drop is bent as much as it is slender, and its terms are as large.
+        const T size = raio::length(tip - bottom), slender = size / radius;
+        record_gradient(ray, c, from_axis * W(27) - axis * slope, size * (slender * slender + T(1)) + radius, rec);
+        const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
+        vec3<Q> beside(from_axis);
+        rec.uv = {turns(T(dot(beside, f.y)), T(dot(beside, f.x))), raio::max(T(0), raio::min(T(1), T(h)))};
+    }
+
+private:
+    template <class W, std::size_t N>
+    RAIO_FN static constexpr polynomial<W, 2 * N> squared(const polynomial<W, N>& p) {
+        return product<2 * N>(p, p);
+    }
+};
+
+}  // namespace raio
