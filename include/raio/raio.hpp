@@ -12,6 +12,7 @@
 #include <raio/math/simd.hpp>
 #include <raio/shape/algebraic.hpp>
 #include <raio/shape/bilinear_patch.hpp>
+#include <raio/shape/blob.hpp>
 #include <raio/shape/box.hpp>
 #include <raio/shape/capsule.hpp>
 #include <raio/shape/cone.hpp>

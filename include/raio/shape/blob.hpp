@@ -1,0 +1,213 @@
+#pragma once
+
+#include <array>
+
+#include <raio/algebraic_crossing.hpp>
+#include <raio/concepts.hpp>
+
+namespace raio {
+
+/// A part of a blob: a ball with a field that falls from `strength` in the centre to nothing at `radius`.
+template <real T>
+struct metaball {
+    vec3<T> center;
+    T radius;       ///< how far the field reaches; of no effect if it is zero
+    T strength{1};  ///< what is below zero takes away from the others
+};
+
+/// The points where the fields of its components add up to the threshold, or to more: balls that melt into each other
+/// (Blinn 1982; with fields that end, as those of Nishimura et al. 1985, and the polynomial of Murakami and Ichihara
+/// 1987):
+///
+///     sum of strength (1 - d^2 / radius^2)^2  over all whose centre is at a distance d < radius,  >=  threshold
+///
+/// The line enters and leaves the ball of each component. Between two neighbours of these places, in order, the field
+/// is one polynomial of degree 4, whose roots are isolated. At the places themselves the polynomials on both sides have
+/// the same value and slope, so that it does not matter how they were rounded.
+///
+/// uv: x and y of the point, from 0 to 1 across the bounds.
+/// \tparam Most  how many components there may be; those that are not named have no effect
+template <real T, std::size_t Most = 8>
+struct blob {
+    using number = T;
+
+    std::array<metaball<T>, Most> components{};
+    T threshold;  ///< missed unless it is positive
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    /// Around all components, also where their fields are below the threshold. Without any point if there are none.
+    RAIO_FN constexpr aabb<T> bounds() const {
+        aabb<T> all;
+        for (const metaball<T>& m : components) {
+            if (has_effect(m)) all = hull(all, aabb<T>{m.center - vec3<T>(m.radius), m.center + vec3<T>(m.radius)});
+        }
+        return padded(padded(all));
+    }
+
+    /// The sum of the fields at a point.
+    template <class W>
+    RAIO_FN constexpr W field(const vec3<W>& p) const {
+        W sum(0);
+        for (const metaball<T>& m : components) {
+            const W within = has_effect(m) ? depth(m, p) : W(0);
+            if (within > W(0)) sum += W(m.strength) * within * within;
+        }
+        return sum;
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr auto crossings(const ray<R>& ray) const {
+        crossing_list<W, 8 * Most> list;
+        const aabb<T> box = bounds();
+        if (!is_sound() || !(box.min.x < box.max.x)) return list;
+        const vec3<T> base = box.min + (box.max - box.min) / T(2);
+        const auto part = part_near(ray, base, vec3<W>(base), length(vec3<W>(box.max) - vec3<W>(box.min)) * W(0.5));
+        list.certain = part.certain;
+        if (!part.exists) return list;
+
+        std::array<piece<W>, Most> pieces{};
+        std::array<W, 2 * Most> ends{};
+        std::size_t count = 0, end_count = 0;
+        for (const metaball<T>& m : components) {
+            if (!has_effect(m)) continue;
+            const piece<W> p = through(m, part, vec3<W>(base));
+            if (!(p.from < p.to)) continue;
+            pieces[count++] = p;
+            insert(ends, end_count, p.from);
+            insert(ends, end_count, p.to);
+        }
+
+        walk<W> along{part, list};
+        for (std::size_t i = 0; i + 1 < end_count; ++i) {
+            if (!(ends[i] < ends[i + 1])) continue;
+            polynomial<W, 4> f{{W(threshold)}};
+            bool empty = true;
+            for (std::size_t k = 0; k < count; ++k) {
+                if (!(pieces[k].from <= ends[i] && ends[i + 1] <= pieces[k].to)) continue;
+                f = f - pieces[k].field;
+                empty = false;
+            }
+            if (empty) {
+                along.reach(1);
+            } else {
+                along.cross(f, ends[i], ends[i + 1]);
+            }
+        }
+        along.reach(1);
+        detail::start_at_origin(list);
+        return list;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t, outwards(W(0));
+        for (const metaball<T>& m : components) {
+            const W within = has_effect(m) ? depth(m, p) : W(0);
+            if (!(within > W(0))) continue;
+            W r(m.radius);
+            outwards += (p - vec3<W>(m.center)) * (W(m.strength) * within / (r * r));
+        }
+        const aabb<T> box = bounds();
+        vec3<T> size = box.max - box.min;
+        record_gradient(ray, c, outwards, raio::length(size), rec);
+        const auto place = [](T x, T low, T all) { return max(T(0), min(T(1), (x - low) / all)); };
+        rec.uv = {place(rec.point.x, box.min.x, size.x), place(rec.point.y, box.min.y, size.y)};
+    }
+
+private:
+    /// What one component adds to the field, between the ends of its ball.
+    template <class W>
+    struct piece {
+        W from, to;
+        polynomial<W, 4> field;
+    };
+
+    /// Follows the line from outside, through one polynomial after the other. Where a polynomial is zero at an end, the
+    /// next one tells what comes of it.
+    template <class W>
+    struct walk {
+        const line_part<W>& part;
+        crossing_list<W, 8 * Most>& list;
+        int sign = 1;  ///< of threshold - field
+        bool is_open = false;
+        polynomial_root<W> open{};
+
+        RAIO_FN constexpr void cross(const polynomial<W, 4>& f, const W& low, const W& high) {
+            const auto [roots, begins_inside] = find_roots(f, low, high);
+            list.certain = list.certain && roots.certain;
+            if (roots.count == 0) return reach(begins_inside ? -1 : 1);
+            for (const polynomial_root<W>& root : roots) {
+                if (root.before != 0) reach(root.before);
+                if (is_open) {
+                    open.error += bound_t<W>(root.t - open.t) + root.error;
+                } else {
+                    open = root;
+                }
+                is_open = true;
+                if (root.after != 0) reach(root.after);
+            }
+        }
+
+        RAIO_FN constexpr void reach(int next) {
+            if (is_open) {
+                open.before = sign, open.after = next;
+                const crossing<W> c = part.at(open, true);
+                list.append(c.t, c.error, open);
+            }
+            is_open = false, sign = next;
+        }
+    };
+
+    RAIO_FN static constexpr bool has_effect(const metaball<T>& m) { return m.radius > T(0) && m.strength != T(0); }
+
+    RAIO_FN constexpr bool is_sound() const {
+        bool sound = threshold > T(0) && is_finite(threshold);
+        for (const metaball<T>& m : components) {
+            sound = sound && is_finite(m.center) && m.radius >= T(0) && is_finite(m.radius) && is_finite(m.strength);
+        }
+        return sound;
+    }
+
+    /// 1 in the centre, 0 at the radius.
+    template <class W>
+    RAIO_FN static constexpr W depth(const metaball<T>& m, const vec3<W>& p) {
+        const vec3<W> from_center = (p - vec3<W>(m.center)) / W(m.radius);
+        return W(1) - dot(from_center, from_center);
+    }
+
+    template <class W>
+    RAIO_FN static constexpr piece<W> through(const metaball<T>& m, const line_part<W>& part, const vec3<W>& base) {
+        const auto over_radius = constant(W(1) / W(m.radius), 2);
+        vec3<W> from_center = part.from + (base - vec3<W>(m.center)), moment = cross(from_center, part.along);
+        polynomial<W, 2> depth{{W(1)}};
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            polynomial<W, 1> x = part.coordinate(axis);
+            x = x + product<1>(polynomial<W, 1>{{W(1)}}, constant(base[axis] - W(m.center[axis]), 2));
+            x = product<1>(x, over_radius);
+            depth = depth - product<2>(x, x);
+        }
+        W along2 = dot(part.along, part.along), middle = -dot(from_center, part.along) / along2;
+        W half2 = (along2 * W(m.radius) * W(m.radius) - dot(moment, moment)) / (along2 * along2);
+        W half = half2 > W(0) ? sqrt(half2) : W(0);
+        return {middle - half, middle + half, product<4>(product<4>(depth, depth), constant(W(m.strength)))};
+    }
+
+    /// Into a list in order.
+    template <class W>
+    RAIO_FN static constexpr void insert(std::array<W, 2 * Most>& ends, std::size_t& count, const W& x) {
+        std::size_t i = count++;
+        for (; i > 0 && x < ends[i - 1]; --i) ends[i] = ends[i - 1];
+        ends[i] = x;
+    }
+};
+
+}  // namespace raio
