@@ -312,6 +312,8 @@ const by_name<shape_reading> shapes{
     {"heightfield", read_heightfield},
     {"parallelogram", read_parallelogram},
     {"polyhedron", read_polyhedron},
+    {"round_cone", plain<raio::round_cone<number>>("a round cone", point{"base"}, point{"top"}, measure{"base radius"},
+                                                   measure{"top radius"})},
     {"capsule", plain<raio::capsule<number>>("a capsule", point{"base"}, point{"top"}, measure{"radius"})},
     {"cone", upright<raio::cone<number>>("a cone", point{"base"}, point{"apex"}, measure{"radius"})},
     {"open_cone", upright<raio::open_cone<number>>("a cone", point{"base"}, point{"apex"}, measure{"radius"})},

@@ -3,6 +3,7 @@
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
 #include <raio/plane_crossing.hpp>
+#include <raio/settle.hpp>
 
 /// \file
 /// What the shapes about an axis share: they stand between the two planes across its ends, and their faces are counted
@@ -10,11 +11,10 @@
 
 namespace raio::detail {
 
-/// The chord through the slab between the two planes that the caps lie in.
-template <class W, real T, real R>
-RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
-    vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base);
-    auto above_base = height_above<W>(axis, base, ray.origin), above_top = height_above<W>(axis, top, ray.origin);
+/// The chord through the slab between two planes across the axis, above which the ray starts so high.
+template <class W>
+RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>& above_base,
+                                      const plane_height<W>& above_top, const vec3<W>& d) {
     crossing<W> low = cross_plane(axis, d, above_base.value, above_base.error);
     crossing<W> high = cross_plane(axis, d, above_top.value, above_top.error);
 
@@ -30,6 +30,14 @@ RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& 
     const index_t<W> base_face(1), top_face(2);
     return {{exists, certain, near, error, yes, select(upward, base_face, top_face)},
             {exists, certain, far, error, !yes, select(upward, top_face, base_face)}};
+}
+
+/// The chord through the slab between the two planes that the caps lie in.
+template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
+    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+    return cross_slab(axis, height_above<W>(axis, base, ray.origin), height_above<W>(axis, top, ray.origin),
+                      vec3<W>(ray.direction));
 }
 
 /// The chord below the plane of the upper cap alone.

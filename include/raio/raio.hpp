@@ -27,6 +27,7 @@
 #include <raio/shape/polyhedra.hpp>
 #include <raio/shape/quadric.hpp>
 #include <raio/shape/ring.hpp>
+#include <raio/shape/round_cone.hpp>
 #include <raio/shape/signed_distance.hpp>
 #include <raio/shape/sphere.hpp>
 #include <raio/shape/steiner.hpp>

@@ -168,6 +168,9 @@ TEST_CASE("shapes that the course has not are read") {
     const auto hill = only_shape<raio::any_primitive<number>>("heightfield 0 0 4 2  3 2  0 0 0  2 2 2");
     CHECK(hill.occluded(ray{{3, 1, 5}, {0, 0, -1}}, 4, 4));
 
+    const auto pear = only_shape<raio::any_solid<number>>("round_cone 0 0 0  0 0 5  1 4");
+    CHECK(same(pear.spans(ray{{0, 0, -5}, {0, 0, 1}}), {{4, 14}}));
+
     const auto wall = only_shape<raio::parallelogram<number>>("parallelogram 1 2 3  4 5 6  7 8 10");
     CHECK(wall.corner == vec3(1, 2, 3));
     CHECK(wall.edge_u == vec3(4, 5, 6));

@@ -28,7 +28,7 @@ const std::string shapes =
     "a shape: algebraic, bilinear_patch, box, capsule, circle, cone, cylinder, difference, disc, frustum, "
     "heightfield, intersection, mesh, open_algebraic, open_cone, open_cylinder, open_frustum, open_paraboloid, "
     "open_quadric, oriented_box, paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, "
-    "regular_solid, ring, sphere, surface_of_revolution, tetrahedron, torus, triangle, union";
+    "regular_solid, ring, round_cone, sphere, surface_of_revolution, tetrahedron, torus, triangle, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -201,6 +201,9 @@ const bad_scene bad_objects[] = {
     {"a heightfield of one row",
      {.objects = "1 0 0 heightfield 0 0 1 1 2 1 0 0"},
      "5: found a heightfield without a cell, expected two columns and two rows at least"},
+    {"a round cone without top",
+     {.objects = "1 0 0 round_cone 0 0 0 0 2 0 1 0"},
+     "5: found '0', expected a number above 0 for the top radius of a round cone"},
     {"a parallelogram without area",
      {.objects = "1 0 0 parallelogram 0 0 0 1 2 3 2 4 6"},
      "5: found a parallelogram without area, expected edges that are not on one line"},

@@ -20,6 +20,18 @@ namespace raio {
 
 namespace detail {
 
+/// Of a line's two parts in a cone, the one in the nappe that grows along the axis, or against it.
+template <class W>
+RAIO_FN constexpr chord<W> one_nappe(const quadric_chord<W>& c, const mask_t<W>& line_runs_along) {
+    const mask_t<W> yes = W(0) == W(0), forward = every(c.hollow, line_runs_along), back = every(c.hollow, !forward);
+    crossing<W> near = c.ends.near, far_end = c.ends.far;
+    near.t = select(forward, c.ends.far.t, select(back, -infinity<W>, near.t));
+    far_end.t = select(back, c.ends.near.t, select(forward, infinity<W>, far_end.t));
+    near.entering = yes;
+    far_end.entering = !yes;
+    return {near, far_end};
+}
+
 /// The chord through the one nappe, endless at its wide end.
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
@@ -29,17 +41,10 @@ RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, 
     vec3<W> to_center = from - vec3<W>(ray.origin);
     W r(min(radii.x, radii.y)), radius(max(radii.x, radii.y)), widening = radius - r;
     revolved_quadric<W> cone{axis, r * r, W(2) * r * widening, widening * widening, W(0), radius};
-    quadric_chord<W> c = cross_quadric(cone, to_center, norm1(vec3<bound_t<W>>(to_center)), d);
-
-    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0)), yes = W(0) == W(0);
-    const mask_t<W> forward = every(c.hollow, dot(d, axis) > W(0)), back = every(c.hollow, !forward);
-    crossing<W> near = c.ends.near, far_end = c.ends.far;
-    near.t = select(forward, c.ends.far.t, select(back, -infinity<W>, near.t));
-    far_end.t = select(back, c.ends.near.t, select(forward, infinity<W>, far_end.t));
-    near.exists = far_end.exists = every(near.exists, sound);
-    near.entering = yes;
-    far_end.entering = !yes;
-    return {near, far_end};
+    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0));
+    chord<W> c = one_nappe(cross_quadric(cone, to_center, norm1(vec3<bound_t<W>>(to_center)), d), dot(d, axis) > W(0));
+    c.near.exists = c.far.exists = every(c.near.exists, sound);
+    return c;
 }
 
 /// What both frusta record.

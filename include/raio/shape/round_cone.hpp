@@ -1,0 +1,128 @@
+#pragma once
+
+#include <raio/shape/frustum.hpp>
+#include <raio/shape/sphere.hpp>
+
+namespace raio {
+
+/// All that lies between two spheres: what a sphere sweeps that moves straight from `base` to `top` while its radius
+/// changes evenly. A capsule has equal radii.
+///
+/// It is the two spheres and the cone that touches both, united. With the axis A from the lesser sphere, of radius r,
+/// to the other, of radius r + w, and the height h = 0 to 1, the cone is at rho^2 = (r + w h)^2 A.A / D, where D = A.A
+/// - w^2: a quadric of revolution, see quadric_crossing.hpp. The spheres touch it where (p - center).A = -w radius. If
+/// D is not above 0, one sphere is inside of the other.
+///
+/// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v the height along the axis, 0 at the
+/// pole of the base's sphere and 1 at that of the top's.
+template <real T>
+struct round_cone {
+    using number = T;
+
+    vec3<T> base, top;          ///< the centres of the spheres
+    T base_radius, top_radius;  ///< lengths; it is missed unless both are positive, and above 2^-60 of the axis
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return hull(low_end().bounds(), high_end().bounds()); }
+
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+        chord<W> ends = unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray));
+        chord<W> c = unite(cross_side<W>(ray), ends);
+        // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
+        vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+        const T lesser = min(base_radius, top_radius);
+        const mask_t<W> slim = W(lesser) * W(lesser) < W(0x1p-120) * dot(axis, axis);
+        const mask_t<W> sound =
+            every(is_finite(base), is_finite(top), lesser > T(0), is_finite(base_radius + top_radius), !slim);
+        c.near.exists = every(c.near.exists, sound);
+        c.far.exists = every(c.far.exists, sound);
+        keep_if_reachable<T>(ray, c.near);
+        keep_if_reachable<T>(ray, c.far);
+        return c;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        using Q = quick_t<N>;
+        vec3<W> axis = vec3<W>(top) - vec3<W>(base), step = vec3<W>(ray.direction) * c.t;
+        vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + step;
+        vec3<W> from_top = (vec3<W>(ray.origin) - vec3<W>(top)) + step;
+        // Which of the spheres that were swept the point lies on: 0 the base's, 1 the top's.
+        W narrowing = W(base_radius) - W(top_radius), axis2 = dot(axis, axis), apart = axis2 - narrowing * narrowing;
+        W along = dot(from_base, axis), only = select(narrowing < W(0), W(1), W(0));
+        W which = select(apart > W(0), quotient(along - W(base_radius) * narrowing, apart, only), only);
+        vec3<W> beside = from_base - axis * max(W(0), which);
+        vec3<N> outward(normalize(vec3<Q>(select(which >= W(1), from_top, beside))));
+        record_point(ray, c, rec, max(base_radius, top_radius));
+        rec.normal = outward * select(c.entering, N(1), N(-1));
+
+        vec3<T> up(select(axis2 > W(0), normalize(vec3<Q>(axis)), vec3<Q>(Q(0), Q(0), Q(1))));
+        const frame<T> f = frame_about(up);
+        const T size = T(sqrt(axis2)), height = T(quotient(along, sqrt(axis2), dot(from_base, vec3<W>(up))));
+        vec3<T> direction(outward);
+        rec.uv = {turns(dot(direction, f.y), dot(direction, f.x)),
+                  max(T(0), min(T(1), (height + base_radius) / (size + base_radius + top_radius)))};
+    }
+
+private:
+    RAIO_FN constexpr sphere<T> low_end() const { return {base, base_radius}; }
+    RAIO_FN constexpr sphere<T> high_end() const { return {top, top_radius}; }
+
+    /// The chord through the cone, between the circles where it touches the spheres.
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> cross_side(const ray<R>& ray) const {
+        using E = bound_t<W>;
+        using X = exact_t<T>;
+        const mask_t<T> turned = top_radius < base_radius;
+        vec3<T> from = select(turned, top, base), to = select(turned, base, top);
+        const T lesser = min(base_radius, top_radius), larger = max(base_radius, top_radius);
+        // D cancels where the cone is wide: it is found in the last precision.
+        vec3<X> exact_axis = vec3<X>(to) - vec3<X>(from);
+        X exact_widening = X(larger) - X(lesser), axis2 = dot(exact_axis, exact_axis);
+        X apart = axis2 - exact_widening * exact_widening;
+        const mask_t<W> sided = apart > X(0);
+        W scale(quotient(axis2, max(apart, X(0)), X(0)));
+
+        vec3<W> axis = vec3<W>(to) - vec3<W>(from), d(ray.direction), to_center = vec3<W>(from) - vec3<W>(ray.origin);
+        W r(lesser), widening = W(larger) - r;
+        revolved_quadric<W> cone{axis, scale * r * r, W(2) * scale * r * widening, scale * widening * widening,
+                                 W(0), W(larger)};
+        chord<W> c =
+            detail::one_nappe(cross_quadric(cone, to_center, norm1(vec3<E>(to_center)), d), dot(d, axis) > W(0));
+        if constexpr (std::same_as<mask_t<W>, bool>) {
+            // Whether the line starts on the cone, rho^2 D = (r + w h)^2 A.A says without a division.
+            const bool near_0 = abs(E(c.near.t)) <= c.near.error, far_0 = abs(E(c.far.t)) <= c.far.error;
+            W height = -dot(to_center, axis), reach = r * W(axis2) + widening * height;
+            vec3<W> across = cross(to_center, axis);
+            if ((near_0 || far_0) && dot(across, across) * W(apart) == reach * reach) {
+                if (near_0) c.near.t = W(0);
+                if (far_0) c.far.t = W(0);
+            }
+        }
+        const auto above = [&](const vec3<T>& center, T radius) {
+            plane_height<W> height = height_above<W>(axis, center, ray.origin);
+            W lower = widening * W(radius);
+            height.value += lower;
+            height.error += with_underflow<W>(E(4 * unit_roundoff<W>) * (abs(E(height.value)) + E(lower)));
+            return height;
+        };
+        c = intersect(c, detail::cross_slab(axis, above(from, lesser), above(to, larger), d));
+        for (crossing<W>* end : {&c.near, &c.far}) {
+            end->exists = every(end->exists, sided);
+            end->certain = some(end->certain, !sided);
+        }
+        return c;
+    }
+};
+
+}  // namespace raio
