@@ -66,7 +66,7 @@ struct round_cone {
         record_point(ray, c, rec, max(base_radius, top_radius));
         rec.normal = outward * select(c.entering, N(1), N(-1));
 
-        vec3<T> up(select(axis2 > W(0), normalize(vec3<Q>(axis)), vec3<Q>(Q(0), Q(0), Q(1))));
+        vec3<T> up(normalize(select(axis2 > W(0), vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1)))));
         const frame<T> f = frame_about(up);
         const T size = T(sqrt(axis2)), height = T(quotient(along, sqrt(axis2), dot(from_base, vec3<W>(up))));
         vec3<T> direction(outward);
