@@ -260,6 +260,27 @@ shape read_surface_of_revolution(tokens& in, int) {
     return kept(std::move(surface));
 }
 
+shape read_teardrop(tokens& in, int) {
+    const vec3 bottom = vector(in, "the bottom of a teardrop"), tip = vector(in, "the tip of a teardrop");
+    if (bottom == tip) in.fail("the bottom again", "another tip of a teardrop");
+    return kept(raio::teardrop<number>{bottom, tip, in.expect_number("the radius of a teardrop", positive)});
+}
+
+shape read_blob(tokens& in, int) {
+    raio::blob<number, 16> blob{{}, in.expect_number("the threshold of a blob", positive)};
+    const auto components = section(in, "components of a blob", [&] {
+        raio::metaball<number> m{vector(in, "the centre of a blob's component"), {}};
+        m.radius = in.expect_number("the radius of a blob's component", positive);
+        m.strength = in.expect_number("the strength of a blob's component");
+        return m;
+    });
+    if (components.empty() || components.size() > blob.components.size()) {
+        in.fail(std::to_string(components.size()) + " components", "a blob of 1 to 16");
+    }
+    std::ranges::copy(components, blob.components.begin());
+    return kept(blob);
+}
+
 /// What several solids are together, two by two, so that the tree of them is as flat as it can be.
 any_solid combined(std::span<const any_solid> parts, any_solid (*combine)(any_solid, any_solid)) {
     if (parts.size() == 1) return parts.front();
@@ -336,6 +357,9 @@ const by_name<shape_reading> shapes{
     {"algebraic", read_algebraic<true>},
     {"open_algebraic", read_algebraic<false>},
     {"surface_of_revolution", read_surface_of_revolution},
+    {"steiner", plain<raio::steiner<number>>("a Steiner surface", point{"centre"}, measure{"size"})},
+    {"teardrop", read_teardrop},
+    {"blob", read_blob},
     {"union", read_union},
     {"intersection", read_intersection},
     {"difference", read_difference},

@@ -203,6 +203,10 @@ TEST_CASE("shapes are read as the fields that raio has") {
     CHECK(same(solid("algebraic -3 -3 -3  3 3 3  2  1 0 4 0  -1 0 0 0", up), {{7, 9}}));
     CHECK(same(solid("algebraic -3 -3 -3  3 3 3  2  -1 0 8 0  1 0 0 0", up), {{5, 7}, {9, 11}}));
 
+    CHECK(same(solid("steiner 1 0 1  9", {{8, 7, 8}, {-1, -1, -1}}), {{4, 7}}));
+    CHECK(same(solid("blob 0.5625 2  0 -3 0 2 1  0 3 0 2 1", up), {{4, 6}, {10, 12}}));
+    CHECK(same(solid("teardrop 0 -1 0  0 3 0  1", up), {{7, 11}}));
+
     const auto saddle =
         only_shape<raio::any_primitive<number>>("open_quadric -3 -3 -3  3 3 3  0 0 0  0 0 1  0 -1 0  0");
     CHECK_FALSE(saddle.occluded(ray{{0, 0, -8}, {0, 1, 0}}, 0, 9));

@@ -25,10 +25,10 @@ std::string repeated(std::string_view words, int times) {
 
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
-    "a shape: algebraic, bilinear_patch, box, capsule, circle, cone, cylinder, difference, disc, frustum, "
+    "a shape: algebraic, bilinear_patch, blob, box, capsule, circle, cone, cylinder, difference, disc, frustum, "
     "heightfield, intersection, mesh, open_algebraic, open_cone, open_cylinder, open_frustum, open_paraboloid, "
-    "open_quadric, oriented_box, paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, "
-    "regular_solid, ring, round_cone, sphere, surface_of_revolution, tetrahedron, torus, triangle, union";
+    "open_quadric, oriented_box, paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, "
+    "ring, round_cone, sphere, steiner, surface_of_revolution, teardrop, tetrahedron, torus, triangle, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -270,6 +270,16 @@ const bad_scene bad_objects[] = {
     {"an algebraic surface without terms",
      {.objects = "1 0 0 algebraic 0 0 0 1 1 1 0"},
      "5: found an algebraic surface that is the same everywhere, expected a term with a power above 0"},
+    {"a Steiner surface without size",
+     {.objects = "1 0 0 steiner 0 0 0 0"},
+     "5: found '0', expected a number above 0 for the size of a Steiner surface"},
+    {"a teardrop without height",
+     {.objects = "1 0 0 teardrop 0 1 0 0 1 0 1"},
+     "5: found the bottom again, expected another tip of a teardrop"},
+    {"a blob of nothing", {.objects = "1 0 0 blob 0.5 0"}, "5: found 0 components, expected a blob of 1 to 16"},
+    {"a blob without threshold",
+     {.objects = "1 0 0 blob 0 1 0 0 0 1 1"},
+     "5: found '0', expected a number above 0 for the threshold of a blob"},
     {"a polyhedron without planes",
      {.objects = "1 0 0 polyhedron 0"},
      "5: found a polyhedron without planes, expected at least one"},
