@@ -100,7 +100,7 @@ struct algebraic {
             return;
         }
         vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t;
-        record_gradient(ray, c, gradient(p), raio::length(max - min), rec);
+        record_gradient(ray, c, gradient(p), norm1(max - min), rec);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             rec.point[axis] = raio::max(min[axis], raio::min(max[axis], rec.point[axis]));
         }

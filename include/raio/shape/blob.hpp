@@ -118,7 +118,7 @@ struct blob {
         }
         const aabb<T> box = bounds();
         vec3<T> size = box.max - box.min;
-        record_gradient(ray, c, outwards, raio::length(size), rec);
+        record_gradient(ray, c, outwards, norm1(size), rec);
         const auto place = [](T x, T low, T all) { return max(T(0), min(T(1), (x - low) / all)); };
         rec.uv = {place(rec.point.x, box.min.x, size.x), place(rec.point.y, box.min.y, size.y)};
     }

@@ -78,8 +78,10 @@ struct teardrop {
         // Half the gradient, times the square of the radius.
         W slope = W(128) * below * below * (W(1) - W(4) * h) * over_axis2 * r * r;
         // A slender drop is bent as much as it is slender, and its terms are as large.
-        const T size = raio::length(tip - bottom), slender = size / radius;
-        record_gradient(ray, c, from_axis * W(27) - axis * slope, size * (slender * slender + T(1)) + radius, rec);
+        Q size = length(vec3<Q>(axis)), slender = size / Q(radius),
+          bend = size * (slender * slender + Q(1)) + Q(radius);
+        const T most = std::numeric_limits<scalar_t<T>>::max();
+        record_gradient(ray, c, from_axis * W(27) - axis * slope, bend < Q(most) ? T(bend) : most, rec);
         const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
         vec3<Q> beside(from_axis);
         rec.uv = {turns(T(dot(beside, f.y)), T(dot(beside, f.x))), raio::max(T(0), raio::min(T(1), T(h)))};
