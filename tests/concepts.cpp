@@ -34,6 +34,9 @@ struct who_is_what {
     static_assert(bounded<open_frustum<T>> && !solid<open_frustum<T>> && sampleable<open_frustum<T>>);
     static_assert(primitive<paraboloid<T>> && bounded<paraboloid<T>> && solid<paraboloid<T>>);
     static_assert(bounded<open_paraboloid<T>> && !solid<open_paraboloid<T>> && !sampleable<open_paraboloid<T>>);
+    static_assert(bounded<hyperboloid<T>> && solid<hyperboloid<T>> && !solid<open_hyperboloid<T>>);
+    static_assert(bounded<two_sheet_hyperboloid<T>> && solid<two_sheet_hyperboloid<T>>);
+    static_assert(bounded<open_two_sheet_hyperboloid<T>> && !solid<open_two_sheet_hyperboloid<T>>);
     static_assert(solid<polyhedron<T, 20>> && std::is_trivially_copyable_v<polyhedron<T, 20>>);
     static_assert(primitive<convex_polyhedron<T, std::span<const half_space<T>>>>);
     static_assert(primitive<group<sphere<T>, std::vector<box<T>>>> && bounded<group<sphere<T>, std::vector<box<T>>>>);

@@ -58,6 +58,8 @@ shape_reading plain(std::string_view name, Fields... fields) {
     return [=](tokens& in, int) { return kept(Shape{fields(in, name)...}); };
 }
 
+constexpr requirement fraction{"a number between 0 and 1", [](double x) { return x > 0 && x < 1; }};
+
 /// A shape between two points, which have to differ, and then lengths.
 template <class Shape, class... Lengths>
 shape_reading upright(std::string_view name, point low, point high, Lengths... lengths) {
@@ -345,6 +347,16 @@ const by_name<shape_reading> shapes{
     {"paraboloid", upright<raio::paraboloid<number>>("a paraboloid", point{"vertex"}, point{"top"}, measure{"radius"})},
     {"open_paraboloid",
      upright<raio::open_paraboloid<number>>("a paraboloid", point{"vertex"}, point{"top"}, measure{"radius"})},
+    {"hyperboloid", upright<raio::hyperboloid<number>>("a hyperboloid", point{"base"}, point{"top"},
+                                                       measure{"waist radius"}, measure{"end radius"})},
+    {"open_hyperboloid", upright<raio::open_hyperboloid<number>>("a hyperboloid", point{"base"}, point{"top"},
+                                                                 measure{"waist radius"}, measure{"end radius"})},
+    {"two_sheet_hyperboloid",
+     upright<raio::two_sheet_hyperboloid<number>>("a hyperboloid", point{"base"}, point{"top"},
+                                                  measure{"gap", fraction}, measure{"end radius"})},
+    {"open_two_sheet_hyperboloid",
+     upright<raio::open_two_sheet_hyperboloid<number>>("a hyperboloid", point{"base"}, point{"top"},
+                                                       measure{"gap", fraction}, measure{"end radius"})},
     {"torus", plain<raio::torus<number>>("a torus", point{"centre"}, axis{"axis"}, measure{"major radius"},
                                          measure{"minor radius"})},
     {"oriented_box", read_oriented_box},

@@ -83,7 +83,10 @@ RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, co
     vec3<Q> up = normalize_from<T>(vec3<Q>(axis)), from_axis(across);
     vec3<Q> gradient = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
     const mask_t<T> side = c.face == index_t<T>(0), low = c.face == index_t<T>(1);
-    vec3<Q> sideways = gradient * quotient(Q(1), length(gradient), Q(0));
+    // Where a waist is too narrow for a normal, it is the axis, against the ray.
+    const Q steepness = length(gradient), turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction))));
+    vec3<Q> sideways = select(steepness > Q(0), gradient * quotient(Q(1), steepness, Q(0)),
+                              up * (turned * select(c.entering, Q(1), Q(-1))));
     vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
 
     record_point(ray, c, rec, bend);

@@ -5,24 +5,25 @@
 /// \file
 /// Where a line crosses a surface of revolution of the second degree: cone, paraboloid, hyperboloid.
 ///
-/// With a point B on the axis A and the height h = (p - B).A / A.A, such a surface is rho^2 = c0 + c1 h + c2 h^2. From
-/// the line's closest approach to B on, with l = B - origin, m = l x d, n = d x A and w = m.n / d.d, the height there,
-/// the points of the surface are at
+/// With a point B on the axis A and the height h = (p - B).A / A.A, such a surface is v rho^2 = c0 + c1 h + c2 h^2.
+/// From the line's closest approach to B on, with l = B - origin, m = l x d, n = d x A and w = m.n / d.d, the height
+/// there, the points of the surface are at
 ///
-///     a t^2 - 2 b t + c = 0,    a = n.n - k (d.A)^2,  b = d.A (w + k w + c1 / 2),    k = c2 / A.A
-///     c = A.A (m.m / d.d - c0) - w (w + k w + c1)
-///     b^2 - a c = A.A (c0 n.n + c1 m.n - (m.A)^2) + c2 |m x A|^2 + (d.A)^2 (c1^2 / 4 - c0 c2)
+///     a t^2 - 2 b t + c = 0,    a = v n.n - k (d.A)^2,  b = d.A (v w + k w + c1 / 2),    k = c2 / A.A
+///     c = A.A (v m.m / d.d - c0) - w (v w + k w + c1)
+///     b^2 - a c = v (A.A (c0 n.n + c1 m.n - v (m.A)^2) + c2 |m x A|^2) + (d.A)^2 (c1^2 / 4 - c0 c2)
 ///
 /// Written like this, b^2 - a c is free of the differences of large squares that lose small and far shapes, and for a
 /// cone about its apex, where c0 and c1 are 0, it is exact to the square of the distance at which the line passes.
 
 namespace raio {
 
-/// The surface rho^2 = c0 + c1 h + c2 h^2, to be told from W's rounding errors: each number is off by 8 roundings at
+/// The surface v rho^2 = c0 + c1 h + c2 h^2, to be told from W's rounding errors: each number is off by 8 roundings at
 /// most.
 template <class W>
 struct revolved_quadric {
     vec3<W> axis;    ///< the unit of h; what counts of the surface lies between h = -1 and h = 1
+    W v;             ///< above 0
     W c0, c1, c2;    ///< squares of lengths
     W discriminant;  ///< c1^2 / 4 - c0 c2, found without that difference; at least 0 if the axis meets the surface
     W radius;        ///< nothing that counts of the surface is farther from the axis
@@ -45,11 +46,11 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     vec3<W> n = cross(d, s.axis), m = cross(to_center, d), m_across = cross(m, s.axis);
     W zero(0), d2 = dot(d, d), over_d2 = quotient(W(1), d2, zero), axis2 = dot(s.axis, s.axis);
     W k = s.c2 * quotient(W(1), axis2, zero), n2 = dot(n, n), m2 = dot(m, m), mn = dot(m, n), turn = dot(m, s.axis);
-    W along = dot(d, s.axis), w = mn * over_d2, tilt = w + k * w;
-    W a = n2 - k * along * along, b = along * (tilt + W(0.5) * s.c1);
-    W c = axis2 * (m2 * over_d2 - s.c0) - w * (tilt + s.c1);
-    W square =
-        axis2 * (s.c0 * n2 + s.c1 * mn - turn * turn) + s.c2 * dot(m_across, m_across) + along * along * s.discriminant;
+    W along = dot(d, s.axis), w = mn * over_d2, tilt = s.v * w + k * w;
+    W a = s.v * n2 - k * along * along, b = along * (tilt + W(0.5) * s.c1);
+    W c = axis2 * (s.v * m2 * over_d2 - s.c0) - w * (tilt + s.c1);
+    W square = s.v * (axis2 * (s.c0 * n2 + s.c1 * mn - s.v * turn * turn) + s.c2 * dot(m_across, m_across)) +
+               along * along * s.discriminant;
 
     // The errors, with u the unit roundoff. Everything that m goes into is linear or quadratic in it: with |m| off by
     // m_error, the roundings of all that is made of it included, m.m is off by twice m2_error. |n| and |d.A| are at
@@ -57,13 +58,13 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     E d_size = norm1(vec3<E>(d)), axis_size = norm1(vec3<E>(s.axis)), span = d_size * axis_size;
     E over(over_d2), area(axis2);
     E m_size = norm1(vec3<E>(m)), m_error = with_underflow<W>(E(4 * u) * far * d_size + E(24 * u) * m_size);
-    E m2_error = (m_size + m_error) * m_error, ratio = E(1) + abs(E(k));
+    E m2_error = (m_size + m_error) * m_error, v(s.v), ratio = v + abs(E(k));
     E c0 = abs(E(s.c0)), c1 = abs(E(s.c1)), of_c1 = E(2) * c1 * span * m_error;
     E a_error = with_underflow<W>(E(32 * u) * ratio * E(d2) * area);
     E b_error = with_underflow<W>(E(2) * ratio * area * m_error + E(8 * u) * c1 * span);
     E c_error = with_underflow<W>((E(4) * ratio * area * m2_error + of_c1) * over + E(16 * u) * area * c0);
-    E square_error = with_underflow<W>(area * (E(2) * (area + abs(E(s.c2))) * m2_error + of_c1 +
-                                               E(64 * u) * (area * c0 + abs(E(s.discriminant))) * E(d2)));
+    E square_error = with_underflow<W>(area * (v * (E(2) * (v * area + abs(E(s.c2))) * m2_error + of_c1) +
+                                               E(64 * u) * (v * area * c0 + abs(E(s.discriminant))) * E(d2)));
     if constexpr (std::same_as<W, double_double>) {
         // Of a line that all but lies in the surface a, b and c are tiny, and tell more than their difference at large.
         E direct_error = b_error * (E(2) * abs(E(b)) + b_error) + c_error * (abs(E(a)) + a_error) +
@@ -121,7 +122,8 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
         if (near_0 || far_0) {
             vec3<W> across = cross(to_center, s.axis);
             W height = -dot(to_center, s.axis);
-            const bool starts = axis2 * (dot(across, across) - axis2 * s.c0 - s.c1 * height) == s.c2 * height * height;
+            const bool starts =
+                axis2 * (s.v * dot(across, across) - axis2 * s.c0 - s.c1 * height) == s.c2 * height * height;
             if (near_0 && starts) near = zero;
             if (far_0 && starts) far_end = zero;
             if (starts) error = error + error;

@@ -21,6 +21,7 @@
 #include <raio/shape/disc.hpp>
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/heightfield.hpp>
+#include <raio/shape/hyperboloid.hpp>
 #include <raio/shape/paraboloid.hpp>
 #include <raio/shape/parallelogram.hpp>
 #include <raio/shape/plane.hpp>

@@ -26,9 +26,10 @@ std::string repeated(std::string_view words, int times) {
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
     "a shape: algebraic, bilinear_patch, blob, box, capsule, circle, cone, cylinder, difference, disc, frustum, "
-    "heightfield, intersection, mesh, open_algebraic, open_cone, open_cylinder, open_frustum, open_paraboloid, "
-    "open_quadric, oriented_box, paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, "
-    "ring, round_cone, sphere, steiner, surface_of_revolution, teardrop, tetrahedron, torus, triangle, union";
+    "heightfield, hyperboloid, intersection, mesh, open_algebraic, open_cone, open_cylinder, open_frustum, "
+    "open_hyperboloid, open_paraboloid, open_quadric, open_two_sheet_hyperboloid, oriented_box, paraboloid, "
+    "parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, round_cone, sphere, steiner, "
+    "surface_of_revolution, teardrop, tetrahedron, torus, triangle, two_sheet_hyperboloid, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -231,6 +232,12 @@ const bad_scene bad_objects[] = {
     {"a paraboloid without height",
      {.objects = "1 0 0 paraboloid 0 1 0 0 1 0 1"},
      "5: found a paraboloid without height, expected two points that differ"},
+    {"a hyperboloid without waist",
+     {.objects = "1 0 0 hyperboloid 0 0 0 0 1 0 0 1"},
+     "5: found '0', expected a number above 0 for the waist radius of a hyperboloid"},
+    {"a hyperboloid whose gap is as long as the axis",
+     {.objects = "1 0 0 two_sheet_hyperboloid 0 0 0 0 1 0 1 1"},
+     "5: found '1', expected a number between 0 and 1 for the gap of a hyperboloid"},
     {"a capsule without radius",
      {.objects = "1 0 0 capsule 0 0 0 0 1 0 0"},
      "5: found '0', expected a number above 0 for the radius of a capsule"},

@@ -2,6 +2,7 @@
 #include "support/cones.hpp"
 #include "support/cylinders.hpp"
 #include "support/discs.hpp"
+#include "support/hyperboloids.hpp"
 #include "support/packs.hpp"
 #include "support/paraboloids.hpp"
 #include "support/parallelograms.hpp"
@@ -35,6 +36,7 @@ TEST_CASE_TEMPLATE("packs: cone", T, float, double) { check_packs<cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: open cone", T, float, double) { check_packs<open_cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: frustum", T, float, double) { check_packs<frustum<T>>(); }
 TEST_CASE_TEMPLATE("packs: paraboloid", T, float, double) { check_packs<paraboloid<T>>(); }
+TEST_CASE_TEMPLATE("packs: open hyperboloid", T, float, double) { check_packs<open_hyperboloid<T>>(); }
 TEST_CASE_TEMPLATE("packs: convex polyhedron", T, float, double) { check_packs<convex_polyhedron<T>>(); }
 
 }  // namespace raio::test

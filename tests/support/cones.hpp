@@ -22,13 +22,8 @@ struct cone_subject : revolved_subject<Cone, cone_profile> {
         const vec3<double> axis = random.direction() * (size * random.log_uniform(0.1, 10));
         return {vec3<T>(place), vec3<T>(place + axis), static_cast<T>(size * random.log_uniform(0.1, 1))};
     }
-    /// To the side and to the planes across its ends, below 0 inside. To the side it is said a little shorter: at the
-    /// apex of a cone of 45 degrees it would pass for a face (see away_from_edges).
     static auto distances(const auto& s, const vec3<oracle>& p) {
-        const frustum<oracle> same{s.base, s.apex, s.radius, 0};
-        auto distances = frustum_subject<frustum<T>>::distances(same, p);
-        distances.first *= 0.75;
-        return distances;
+        return frustum_subject<frustum<T>>::distances(frustum<oracle>{s.base, s.apex, s.radius, 0}, p);
     }
     static auto grown(auto s) {
         const vec3<oracle> more = (s.apex - s.base) * oracle(1e-40);

@@ -37,11 +37,14 @@ struct frustum_subject : revolved_subject<Frustum, frustum_profile> {
         for_each_number(s.top, [&](T& x) { x = T(random.integer(-3, 3)); });
         return s;
     }
-    /// To the side and to the planes of the caps, below 0 inside.
+    /// To the side and to the planes of the caps, below 0 inside. Where these meet at an obtuse angle, the way inwards
+    /// from one leads away from the other: both are said shorter, so that edges count as edges (see away_from_edges).
     static std::pair<oracle, oracle> distances(const auto& s, const vec3<oracle>& p) {
         const auto at = frustum_subject::coordinates(s.base, s.top, p);
         const oracle widening = s.top_radius - s.base_radius, beyond = at.rho - s.base_radius - widening * at.height;
-        return {beyond * at.size / sqrt(oracle(at.size * at.size + widening * widening)), at.beyond_caps()};
+        const oracle slant = sqrt(oracle(at.size * at.size + widening * widening));
+        const oracle obtuse = 1 + abs(widening) / slant;
+        return {beyond * at.size / slant / obtuse, at.beyond_caps() / obtuse};
     }
     static auto grown(auto s) {
         const vec3<oracle> more = (s.top - s.base) * oracle(1e-40);

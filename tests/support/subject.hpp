@@ -37,6 +37,10 @@ inline constexpr bool is_flat<open_cone<T>> = false;
 template <class T>
 inline constexpr bool is_flat<open_frustum<T>> = false;
 template <class T>
+inline constexpr bool is_flat<open_hyperboloid<T>> = false;
+template <class T>
+inline constexpr bool is_flat<open_two_sheet_hyperboloid<T>> = false;
+template <class T>
 inline constexpr bool is_flat<open_paraboloid<T>> = false;
 
 /// Does a line that has left the shape never meet it again?
@@ -44,6 +48,14 @@ template <class Shape>
 inline constexpr bool is_convex = true;
 template <class T>
 inline constexpr bool is_convex<torus<T>> = false;
+template <class T>
+inline constexpr bool is_convex<hyperboloid<T>> = false;
+template <class T>
+inline constexpr bool is_convex<open_hyperboloid<T>> = false;
+template <class T>
+inline constexpr bool is_convex<two_sheet_hyperboloid<T>> = false;
+template <class T>
+inline constexpr bool is_convex<open_two_sheet_hyperboloid<T>> = false;
 
 template <class T>
 vec3<double> to_double(const vec3<T>& v) {

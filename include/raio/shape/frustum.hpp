@@ -40,7 +40,7 @@ RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, 
     vec3<W> from(select(turned, top, base)), axis = vec3<W>(select(turned, base, top)) - from, d(ray.direction);
     vec3<W> to_center = from - vec3<W>(ray.origin);
     W r(min(radii.x, radii.y)), radius(max(radii.x, radii.y)), widening = radius - r;
-    revolved_quadric<W> cone{axis, r * r, W(2) * r * widening, widening * widening, W(0), radius};
+    revolved_quadric<W> cone{axis, W(1), r * r, W(2) * r * widening, widening * widening, W(0), radius};
     const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0));
     chord<W> c = one_nappe(cross_quadric(cone, to_center, norm1(vec3<bound_t<W>>(to_center)), d), dot(d, axis) > W(0));
     c.near.exists = c.far.exists = every(c.near.exists, sound);

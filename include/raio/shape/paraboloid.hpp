@@ -22,7 +22,7 @@ RAIO_FN constexpr chord<W> cross_endless_paraboloid(const vec3<T>& vertex, const
                                                     const ray<R>& ray) {
     vec3<W> axis = vec3<W>(top) - vec3<W>(vertex), to_center = vec3<W>(vertex) - vec3<W>(ray.origin);
     W r(radius), r2 = r * r, zero(0);
-    revolved_quadric<W> paraboloid{axis, zero, r2, zero, W(0.25) * r2 * r2, r};
+    revolved_quadric<W> paraboloid{axis, W(1), zero, r2, zero, W(0.25) * r2 * r2, r};
     return cross_quadric(paraboloid, to_center, norm1(vec3<bound_t<W>>(to_center)), vec3<W>(ray.direction)).ends;
 }
 

@@ -95,8 +95,8 @@ private:
 
         vec3<W> axis = vec3<W>(to) - vec3<W>(from), d(ray.direction), to_center = vec3<W>(from) - vec3<W>(ray.origin);
         W r(lesser), widening = W(larger) - r;
-        revolved_quadric<W> cone{axis, scale * r * r, W(2) * scale * r * widening, scale * widening * widening,
-                                 W(0), W(larger)};
+        revolved_quadric<W> cone{
+            axis, W(1), scale * r * r, W(2) * scale * r * widening, scale * widening * widening, W(0), W(larger)};
         chord<W> c =
             detail::one_nappe(cross_quadric(cone, to_center, norm1(vec3<E>(to_center)), d), dot(d, axis) > W(0));
         if constexpr (std::same_as<mask_t<W>, bool>) {

@@ -1,0 +1,235 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/crossing_list.hpp>
+#include <raio/quadric_crossing.hpp>
+
+/// \file
+/// The hyperboloids of revolution of one sheet and of two sheets, each with caps, a solid, and without.
+///
+/// With the height y, -1 at the base and 1 at the top, the side is at the distance rho from the axis,
+///
+///     rho^2 = waist^2 + (end^2 - waist^2) y^2         of one sheet
+///     rho^2 = end^2 (y^2 - gap^2) / (1 - gap^2)       of two sheets
+///
+/// which are quadrics of revolution about the middle, for which see quadric_crossing.hpp. They are not convex: a line
+/// that is steeper than the asymptotes may be inside before and after its two crossings with the side.
+///
+/// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
+/// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
+/// the axis over the radius.
+
+namespace raio {
+
+namespace detail {
+
+/// v rho^2 = c0 + c2 h^2 about the middle of the axis, where h is 1/2 at the ends.
+template <class W>
+struct hyperboloid_side {
+    W v, c0, c2;
+    W radius;  ///< the largest
+};
+
+template <class W, real T>
+RAIO_FN constexpr hyperboloid_side<W> one_sheet(T waist_radius, T end_radius) {
+    W waist(waist_radius), end(end_radius);
+    return {W(1), waist * waist, W(4) * (end - waist) * (end + waist),
+            select(every(waist_radius > T(0), end_radius > T(0)), max(waist, end), W(0))};
+}
+
+template <class W, real T>
+RAIO_FN constexpr hyperboloid_side<W> two_sheets(T gap, T end_radius) {
+    W g(gap), end(end_radius);
+    const mask_t<T> sound = every(gap > T(0), gap < T(1));
+    W end2 = end * end;
+    return {select(sound, (W(1) - g) * (W(1) + g), W(1)), -(g * g) * end2, W(4) * end2, select(sound, end, W(0))};
+}
+
+/// Where the line is inside the endless hyperboloid.
+template <class W, real T, real R>
+RAIO_FN constexpr quadric_chord<W> cross_endless_hyperboloid(const vec3<T>& base, const vec3<T>& top,
+                                                             const hyperboloid_side<W>& side, const ray<R>& ray) {
+    vec3<W> to_base = vec3<W>(base) - vec3<W>(ray.origin), to_top = vec3<W>(top) - vec3<W>(ray.origin);
+    vec3<W> axis = vec3<W>(top) - vec3<W>(base), to_center = (to_base + to_top) * W(0.5);
+    bound_t<W> far = norm1(vec3<bound_t<W>>(to_base)) + norm1(vec3<bound_t<W>>(to_top));
+    revolved_quadric<W> quadric{axis, side.v, side.c0, W(0), side.c2, -side.c0 * side.c2, side.radius};
+    return cross_quadric(quadric, to_center, far, vec3<W>(ray.direction));
+}
+
+/// The crossings with the solid between the caps.
+template <class W, real T, real R>
+RAIO_FN constexpr crossing_list<W, 4> cross_capped(const vec3<T>& base, const vec3<T>& top,
+                                                   const hyperboloid_side<W>& side, const ray<R>& ray) {
+    crossing_list<W, 4> list;
+    const quadric_chord<W> c = cross_endless_hyperboloid(base, top, side, ray);
+    const chord<W> slab = cross_cap_planes<W>(base, top, ray);
+    const auto append = [&](const chord<W>& endless) {
+        chord<W> part = intersect(endless, slab);
+        keep_if_reachable<T>(ray, part.near);
+        keep_if_reachable<T>(ray, part.far);
+        list.append(part);
+    };
+    if (c.hollow) {
+        crossing<W> before = c.ends.far, after = c.ends.near;
+        before.t = -infinity<W>, after.t = infinity<W>;
+        append({before, c.ends.near});
+        append({c.ends.far, after});
+    } else {
+        append(c.ends);
+    }
+    return list;
+}
+
+/// The crossings with the side alone: either counts on its own, if it lies between the two planes.
+template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_side(const vec3<T>& base, const vec3<T>& top, const hyperboloid_side<W>& side,
+                                      const ray<R>& ray) {
+    chord<W> slab = cross_cap_planes<W>(base, top, ray), c = cross_endless_hyperboloid(base, top, side, ray).ends;
+    c = {within(slab, c.near), within(slab, c.far)};
+    keep_if_reachable<T>(ray, c.near);
+    keep_if_reachable<T>(ray, c.far);
+    return c;
+}
+
+/// What all of them record.
+template <class W, real T, real R, real N>
+RAIO_FN constexpr void hyperboloid_surface(const vec3<T>& base, const vec3<T>& top, T end_radius,
+                                           const hyperboloid_side<W>& side, const ray<R>& ray, const crossing<W>& c,
+                                           hit_record<T, N>& rec) {
+    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+    W slope = side.c2 / (side.v * dot(axis, axis));
+    axial_surface(
+        base, top, vec2<T>(end_radius), T(side.radius) + norm1(vec3<T>(axis)), ray, c, rec,
+        [&](const vec3<W>& from_axis, const W& height) { return from_axis - axis * (slope * (height - W(0.5))); });
+}
+
+}  // namespace detail
+
+/// The points inside a hyperboloid of one sheet, between its two ends: closed, a solid. With an end radius below the
+/// waist radius it bulges, and with equal radii it is a cylinder.
+template <real T>
+struct hyperboloid {
+    using number = T;
+
+    vec3<T> base, top;           ///< the centres of the two caps
+    T waist_radius, end_radius;  ///< in the middle and at both ends: lengths, positive
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr raio::spans<T, 2> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const {
+        return detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius)));
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
+        return detail::cross_capped(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        detail::hyperboloid_surface(base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius), ray, c, rec);
+    }
+};
+
+/// A hyperboloid of one sheet up to its two rims, seen from both sides.
+template <real T>
+struct open_hyperboloid {
+    using number = T;
+
+    vec3<T> base, top;           ///< the centres of the two rims, which belong to it
+    T waist_radius, end_radius;  ///< in the middle and at both ends: lengths, positive
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const {
+        return detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius)));
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+        return detail::cross_side(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        detail::hyperboloid_surface(base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius), ray, c, rec);
+    }
+};
+
+/// The points inside both sheets of a hyperboloid, up to its two ends: closed, a solid in two parts.
+template <real T>
+struct two_sheet_hyperboloid {
+    using number = T;
+
+    vec3<T> base, top;  ///< the centres of the two caps
+    T gap;              ///< between the two vertices, of the axis: between 0 and 1
+    T end_radius;       ///< at both ends, positive
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr raio::spans<T, 2> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(end_radius)); }
+
+    template <class W, real R>
+    RAIO_FN constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
+        return detail::cross_capped(base, top, detail::two_sheets<W>(gap, end_radius), ray);
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        detail::hyperboloid_surface(base, top, end_radius, detail::two_sheets<W>(gap, end_radius), ray, c, rec);
+    }
+};
+
+/// Both sheets of a hyperboloid up to their rims, seen from both sides.
+template <real T>
+struct open_two_sheet_hyperboloid {
+    using number = T;
+
+    vec3<T> base, top;  ///< the centres of the two rims, which belong to it
+    T gap;              ///< between the two vertices, of the axis: between 0 and 1
+    T end_radius;       ///< at both ends, positive
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(end_radius)); }
+
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+        return detail::cross_side(base, top, detail::two_sheets<W>(gap, end_radius), ray);
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        detail::hyperboloid_surface(base, top, end_radius, detail::two_sheets<W>(gap, end_radius), ray, c, rec);
+    }
+};
+
+}  // namespace raio

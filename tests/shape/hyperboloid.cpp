@@ -1,0 +1,196 @@
+#include <raio/shape/hyperboloid.hpp>
+
+#include "support/cases.hpp"
+#include "support/hyperboloids.hpp"
+
+namespace raio::test {
+
+TEST_CASE_TEMPLATE("hyperboloid: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const hyperboloid<T> tower{{0, -1, 0}, {0, 1, 0}, 3, 5};  // rho^2 = 9 + 16 y^2
+    const hyperboloid<T> barrel{{0, -1, 0}, {0, 1, 0}, 5, 3}, even{{0, -1, 0}, {0, 1, 0}, 2, 2};
+    const ray<T> ahead{{0, 0, 9}, {0, 0, -1}}, beside{{2, -3, 3}, {0, 1, 0}};
+    check_cases<hyperboloid<T>>({
+        {"the waist", tower, ahead, enters(6)},
+        {"the waist, from within", tower, {{0, 0, 0}, {0, 0, -1}}, leaves(3)},
+        {"behind the ray", tower, {{0, 0, 9}, {0, 0, 1}}, misses},
+        {"along the axis", tower, {{0, -3, 0}, {0, 1, 0}}, enters(2)},
+        {"along the axis, later", tower, {{0, -3, 0}, {0, 1, 0}}, leaves(4), 2.5},
+        {"beside the waist, four crossings, the first", tower, beside, enters(2)},
+        {"beside the waist, the second", tower, beside, leaves(2.5), 2.25},
+        {"beside the waist, the third", tower, beside, enters(3.5), 3},
+        {"beside the waist, the last", tower, beside, leaves(4), 3.75},
+        {"beside the waist, between", tower, beside, misses, 2.75, 3.25},
+        {"beside both ends", tower, {{6, -3, 0}, {0, 1, 0}}, misses},
+        {"parallel to the axis, at the rims", tower, {{5, -3, 0}, {0, 1, 0}}, enters(2)},
+        {"tangent to the waist", tower, {{3, 0, 9}, {0, 0, -1}}, enters(9)},
+        {"one number beyond the tangent, onto the flank", tower, {{3 + 2 * eps, 0, 9}, {0, 0, -1}}, misses},
+        {"touches the waist from within", tower, {{3, -3, 0}, {0, 1, 0}}, leaves(3), 2.5},
+        {"along a generator", tower, {{3, -2, -8}, {0, 1, 4}}, enters(1)},
+        {"along a generator, later", tower, {{3, -2, -8}, {0, 1, 4}}, leaves(3), 2},
+        {"asymptotic, through the centre (a = 0)", tower, {{0, -2, -8}, {0, 1, 4}}, enters(1)},
+        {"asymptotic, beside the centre (a = 0)", tower, {{0, -2, -7}, {0, 1, 4}}, leaves(3), 2},
+        {"asymptotic, outside", tower, {{4, -2, -8}, {0, 1, 4}}, misses},
+        {"along the base", tower, {{-9, -1, 0}, {1, 0, 0}}, enters(4)},
+        {"one number above the top", tower, {{-9, 1 + eps, 0}, {1, 0, 0}}, misses},
+        {"from the waist inwards", tower, {{3, 0, 0}, {-1, 0, 0}}, enters(0)},
+        {"from the waist outwards", tower, {{3, 0, 0}, {1, 0, 0}}, leaves(0)},
+        {"a bulge", barrel, ahead, enters(4)},
+        {"a bulge, along the axis", barrel, {{0, -3, 0}, {0, 1, 0}}, enters(2)},
+        {"equal radii, the side", even, ahead, enters(7)},
+        {"equal radii, parallel to the axis, on the surface", even, {{2, -3, 0}, {0, 1, 0}}, enters(2)},
+        {"waist radius zero", {{0, -1, 0}, {0, 1, 0}, 0, 5}, ahead, misses},
+        {"end radius below zero", {{0, -1, 0}, {0, 1, 0}, 3, -5}, ahead, misses},
+        {"base is top", {{0, 0, 0}, {0, 0, 0}, 3, 5}, ahead, misses},
+        {"direction zero", tower, {{0, 0, 0}, {0, 0, 0}}, misses},
+        {"window that is not a number", tower, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("hyperboloid: properties of every shape", T, float, double) { check_properties<hyperboloid<T>>(); }
+
+TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic", T, float, double) {
+    check_oracle<hyperboloid<T>>();
+    check_accuracy<hyperboloid<T>>(normal_run / 4);
+    check_bounds_of_errors<hyperboloid<T>>(normal_run / 20);
+}
+
+TEST_CASE_TEMPLATE("open_hyperboloid: named cases", T, float, double) {
+    const open_hyperboloid<T> tower{{0, -1, 0}, {0, 1, 0}, 3, 5};
+    const ray<T> ahead{{0, 0, 9}, {0, 0, -1}}, beside{{2, -3, 3}, {0, 1, 0}};
+    check_cases<open_hyperboloid<T>>({
+        {"the waist", tower, ahead, enters(6)},
+        {"the waist, from within", tower, {{0, 0, 0}, {0, 0, -1}}, leaves(3)},
+        {"along the axis", tower, {{0, -3, 0}, {0, 1, 0}}, misses},
+        {"beside the waist, out", tower, beside, leaves(2.5)},
+        {"beside the waist, and in again", tower, beside, enters(3.5), 3},
+        {"beside the waist, later", tower, beside, misses, 3.75},
+        {"along a generator, in the surface", tower, {{3, -2, -8}, {0, 1, 4}}, misses},
+        {"along the rim of the base", tower, {{-9, -1, 0}, {1, 0, 0}}, enters(4)},
+        {"waist radius zero", {{0, -1, 0}, {0, 1, 0}, 0, 5}, ahead, misses},
+        {"base is top", {{0, 0, 0}, {0, 0, 0}, 3, 5}, ahead, misses},
+        {"direction zero", tower, {{0, 0, 0}, {0, 0, 0}}, misses},
+        {"window that is not a number", tower, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("open_hyperboloid: properties of every shape", T, float, double) {
+    check_properties<open_hyperboloid<T>>();
+}
+
+TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic", T, float, double) {
+    check_accuracy<open_hyperboloid<T>>(normal_run / 4, 1.0 / 200);
+    check_bounds_of_errors<open_hyperboloid<T>>(normal_run / 20);
+}
+
+TEST_CASE_TEMPLATE("two_sheet_hyperboloid: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const two_sheet_hyperboloid<T> cups{{0, -1, 0}, {0, 1, 0}, 0.5, 3};  // rho^2 = 12 y^2 - 3
+    const ray<T> up{{0, -3, 0}, {0, 1, 0}};
+    check_cases<two_sheet_hyperboloid<T>>({
+        {"both sheets along the axis, the first crossing", cups, up, enters(2)},
+        {"both sheets along the axis, the second", cups, up, leaves(2.5), 2.25},
+        {"both sheets along the axis, the third", cups, up, enters(3.5), 3},
+        {"both sheets along the axis, the last", cups, up, leaves(4), 3.75},
+        {"through the gap", cups, {{-5, 0, 0}, {1, 0, 0}}, misses},
+        {"from between the sheets", cups, {{0, 0, 0}, {0, -1, 0}}, enters(0.5)},
+        {"tangent to a vertex", cups, {{-5, 0.5, 0}, {1, 0, 0}}, enters(5)},
+        {"one number below the vertex", cups, {{-5, 0.5 - eps, 0}, {1, 0, 0}}, misses},
+        {"along the top", cups, {{-5, 1, 0}, {1, 0, 0}}, enters(2)},
+        {"one number above the top", cups, {{-5, 1 + eps, 0}, {1, 0, 0}}, misses},
+        {"at the rims, parallel to the axis", cups, {{3, -3, 0}, {0, 1, 0}}, enters(2)},
+        {"at the rims, the upper one", cups, {{3, -3, 0}, {0, 1, 0}}, enters(4), 3},
+        {"beside both sheets", cups, {{4, -3, 0}, {0, 1, 0}}, misses},
+        {"from one sheet into the other", cups, {{0, -0.75, 0}, {0, 1, 0}}, leaves(0.25)},
+        {"from a vertex outwards", cups, {{0, 0.5, 0}, {0, -1, 0}}, leaves(0)},
+        {"without a gap", {{0, -1, 0}, {0, 1, 0}, 0, 3}, up, misses},
+        {"a gap as long as the axis", {{0, -1, 0}, {0, 1, 0}, 1, 3}, up, misses},
+        {"end radius zero", {{0, -1, 0}, {0, 1, 0}, 0.5, 0}, up, misses},
+        {"base is top", {{0, 0, 0}, {0, 0, 0}, 0.5, 3}, up, misses},
+        {"direction zero", cups, {{0, 0.75, 0}, {0, 0, 0}}, misses},
+        {"window that is not a number", cups, up, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("two_sheet_hyperboloid: properties of every shape", T, float, double) {
+    check_properties<two_sheet_hyperboloid<T>>();
+}
+
+TEST_CASE_TEMPLATE("two_sheet_hyperboloid: as exact arithmetic", T, float, double) {
+    check_oracle<two_sheet_hyperboloid<T>>();
+    check_accuracy<two_sheet_hyperboloid<T>>(normal_run / 4);
+    check_bounds_of_errors<two_sheet_hyperboloid<T>>(normal_run / 20);
+}
+
+TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: named cases", T, float, double) {
+    const open_two_sheet_hyperboloid<T> cups{{0, -1, 0}, {0, 1, 0}, 0.5, 3};
+    const ray<T> up{{0, -3, 0}, {0, 1, 0}};
+    check_cases<open_two_sheet_hyperboloid<T>>({
+        {"out of the lower sheet", cups, up, leaves(2.5)},
+        {"into the upper one", cups, up, enters(3.5), 3},
+        {"and out through its rim", cups, up, misses, 3.75},
+        {"through the gap", cups, {{-5, 0, 0}, {1, 0, 0}}, misses},
+        {"along a rim", cups, {{-5, 1, 0}, {1, 0, 0}}, enters(2)},
+        {"a gap as long as the axis", {{0, -1, 0}, {0, 1, 0}, 1, 3}, up, misses},
+        {"direction zero", cups, {{0, 0.75, 0}, {0, 0, 0}}, misses},
+        {"window that is not a number", cups, up, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: properties of every shape", T, float, double) {
+    check_properties<open_two_sheet_hyperboloid<T>>();
+}
+
+TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: as exact arithmetic", T, float, double) {
+    check_accuracy<open_two_sheet_hyperboloid<T>>(normal_run / 4, 1.0 / 200);
+    check_bounds_of_errors<open_two_sheet_hyperboloid<T>>(normal_run / 20);
+}
+
+TEST_CASE_TEMPLATE("hyperboloid: all crossings", T, float, double) {
+    const hyperboloid<T> tower{{0, -1, 0}, {0, 1, 0}, 3, 5};
+    const auto inside = tower.spans({{2, -3, 3}, {0, 1, 0}});
+    REQUIRE(inside.count == 2);
+    CHECK(inside.intervals[0] == interval<T>{2, 2.5});
+    CHECK(inside.intervals[1] == interval<T>{3.5, 4});
+    const auto both = two_sheet_hyperboloid<T>{{0, -1, 0}, {0, 1, 0}, 0.5, 3}.spans({{0, -3, 0}, {0, 1, 0}});
+    REQUIRE(both.count == 2);
+    CHECK(both.intervals[0] == interval<T>{2, 2.5});
+    CHECK(both.intervals[1] == interval<T>{3.5, 4});
+}
+
+TEST_CASE_TEMPLATE("hyperboloid: uv and normal", T, float, double) {
+    const hyperboloid<T> tower{{0, 0, -1}, {0, 0, 1}, 3, 5};
+    const auto hit = [&](const ray<T>& ray) {
+        hit_record<T> rec;
+        REQUIRE(tower.hit(ray, T(0), infinity<T>, rec));
+        return rec;
+    };
+    CHECK(hit({{9, 0, 0}, {-1, 0, 0}}).uv == vec2<T>(0, 0.5));
+    CHECK(hit({{9, 0, 0}, {-1, 0, 0}}).normal == vec3<T>(1, 0, 0));
+    CHECK(hit({{0, 9, 0.5}, {0, -1, 0}}).uv == vec2<T>(0.25, 0.75));
+    CHECK(hit({{2.5, 0, 9}, {0, 0, -1}}).uv == vec2<T>(0, 0.5));
+    CHECK(hit({{-1, 0, -9}, {0, 0, 1}}).uv == vec2<T>(0.5, T(0.2)));
+}
+
+TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<hyperboloid<T>>(nightly_run);
+}
+
+TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   float, double) {
+    check_accuracy<open_hyperboloid<T>>(nightly_run, 1.0 / 200);
+}
+
+TEST_CASE_TEMPLATE("two_sheet_hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   float, double) {
+    check_accuracy<two_sheet_hyperboloid<T>>(nightly_run);
+}
+
+TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: as exact arithmetic, ten million times" *
+                       doctest::test_suite("nightly"),
+                   T, float, double) {
+    check_accuracy<open_two_sheet_hyperboloid<T>>(nightly_run, 1.0 / 200);
+}
+
+}  // namespace raio::test

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "support/revolved.hpp"
+
+namespace raio::test {
+
+/// rho^2 = constant + square (2 h - 1)^2.
+template <class Number>
+struct hyperboloid_equation {
+    Number constant, square;
+};
+template <class Number>
+auto equation(const auto& s) {
+    const Number end2 = Number(s.end_radius) * Number(s.end_radius);
+    if constexpr (requires { s.gap; }) {
+        const Number gap2 = Number(s.gap) * Number(s.gap), scale = end2 / (1 - gap2);
+        return hyperboloid_equation<Number>{-gap2 * scale, scale};
+    } else {
+        const Number waist2 = Number(s.waist_radius) * Number(s.waist_radius);
+        return hyperboloid_equation<Number>{waist2, end2 - waist2};
+    }
+}
+
+struct hyperboloid_profile {
+    static auto ends(const auto& s) { return std::pair(s.base, s.top); }
+    static double radius(const auto& s, double h) {
+        const auto [constant, square] = equation<double>(s);
+        return std::sqrt(std::max(constant + square * (2 * h - 1) * (2 * h - 1), 0.0));
+    }
+    static double slope(const auto& s, double h) { return 2 * equation<double>(s).square * (2 * h - 1) / radius(s, h); }
+    /// Not in the gap.
+    static double height(const auto& s, random_numbers& random) {
+        double distance = random.uniform(0, 0.98);
+        if constexpr (requires { s.gap; })
+            distance = static_cast<double>(s.gap) * (1.001 - distance) + distance * 0.999;
+        return random.one_in(2) ? 0.5 - 0.5 * distance : 0.5 + 0.5 * distance;
+    }
+};
+
+/// What the tests know of all hyperboloids.
+template <class Hyperboloid>
+struct hyperboloid_subject : revolved_subject<Hyperboloid, hyperboloid_profile> {
+    using T = number_t<Hyperboloid>;
+
+    static auto fields(auto& s) {
+        if constexpr (requires { s.gap; }) {
+            return std::tie(s.base, s.top, s.gap, s.end_radius);
+        } else {
+            return std::tie(s.base, s.top, s.waist_radius, s.end_radius);
+        }
+    }
+
+    /// Of those of one sheet, one in eight bulges.
+    static Hyperboloid random(random_numbers& random, double size, const vec3<double>& place) {
+        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.1, 10));
+        const double end = size * random.log_uniform(0.1, 1);
+        double middle = random.log_uniform(0.03, 0.97);
+        if constexpr (!requires(Hyperboloid s) { s.gap; }) middle = end * (random.one_in(8) ? 1 / middle : middle);
+        return {vec3<T>(place), vec3<T>(place + axis), static_cast<T>(middle), static_cast<T>(end)};
+    }
+    static Hyperboloid lattice(random_numbers& random) {
+        Hyperboloid s{{}, {}, T(random.integer(0, 3)), T(random.integer(0, 3))};
+        if constexpr (requires { s.gap; }) s.gap = T(0.25) * s.gap;
+        for_each_number(s.base, [&](T& x) { x = T(random.integer(-3, 3)); });
+        for_each_number(s.top, [&](T& x) { x = T(random.integer(-3, 3)); });
+        return s;
+    }
+    /// To the side, as its gradient tells near it, and to the planes of the caps, below 0 inside.
+    static std::pair<oracle, oracle> distances(const auto& s, const vec3<oracle>& p) {
+        const auto at = hyperboloid_subject::coordinates(s.base, s.top, p);
+        const auto [constant, square] = equation<oracle>(s);
+        const oracle y = 2 * at.height - 1, slope = 4 * square * y / at.size;
+        const oracle gradient = sqrt(oracle(4 * at.rho * at.rho + slope * slope));
+        // Where a bulging one meets its caps, the way inwards from one leads away from the other.
+        const oracle obtuse = square < 0 ? oracle(1 + abs(slope) / gradient) : oracle(1);
+        return {(at.rho * at.rho - constant - square * y * y) / gradient / obtuse, at.beyond_caps() / obtuse};
+    }
+    static auto grown(auto s) {
+        const vec3<oracle> more = (s.top - s.base) * oracle(1e-40);
+        s.base -= more;
+        s.top += more;
+        s.end_radius *= 1 + oracle(1e-40);
+        if constexpr (!requires { s.gap; }) s.waist_radius *= 1 + oracle(1e-40);
+        return s;
+    }
+    static oracle distance(const auto& s, const vec3<oracle>& p) {
+        const auto [side, caps] = distances(s, p);
+        return solid<Hyperboloid> ? oracle(max(side, caps)) : oracle(-max(side, caps));  // away from the rims as well
+    }
+};
+
+template <class T>
+struct subject<hyperboloid<T>> : hyperboloid_subject<hyperboloid<T>> {};
+template <class T>
+struct subject<open_hyperboloid<T>> : hyperboloid_subject<open_hyperboloid<T>> {};
+template <class T>
+struct subject<two_sheet_hyperboloid<T>> : hyperboloid_subject<two_sheet_hyperboloid<T>> {};
+template <class T>
+struct subject<open_two_sheet_hyperboloid<T>> : hyperboloid_subject<open_two_sheet_hyperboloid<T>> {};
+
+}  // namespace raio::test
