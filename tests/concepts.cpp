@@ -37,6 +37,7 @@ struct who_is_what {
     static_assert(bounded<hyperboloid<T>> && solid<hyperboloid<T>> && !solid<open_hyperboloid<T>>);
     static_assert(bounded<two_sheet_hyperboloid<T>> && solid<two_sheet_hyperboloid<T>>);
     static_assert(bounded<open_two_sheet_hyperboloid<T>> && !solid<open_two_sheet_hyperboloid<T>>);
+    static_assert(primitive<ellipsoid<T>> && bounded<ellipsoid<T>> && solid<ellipsoid<T>>);
     static_assert(solid<polyhedron<T, 20>> && std::is_trivially_copyable_v<polyhedron<T, 20>>);
     static_assert(primitive<convex_polyhedron<T, std::span<const half_space<T>>>>);
     static_assert(primitive<group<sphere<T>, std::vector<box<T>>>> && bounded<group<sphere<T>, std::vector<box<T>>>>);

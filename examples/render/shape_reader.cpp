@@ -50,6 +50,13 @@ struct measure {
     }
 };
 
+struct lengths {
+    std::string_view name;
+    vec3 operator()(tokens& in, std::string_view of) const {
+        return vector(in, joined({"the ", name, " of ", of}), positive);
+    }
+};
+
 using shape_reading = std::function<shape(tokens&, int depth)>;
 
 /// A shape whose fields stand in the order that raio has them in.
@@ -323,6 +330,7 @@ const shape_reading read_disc = plain<raio::disc<number>>("a disc", point{"centr
 
 const by_name<shape_reading> shapes{
     {"sphere", plain<raio::sphere<number>>("a sphere", point{"centre"}, measure{"radius"})},
+    {"ellipsoid", plain<raio::ellipsoid<number>>("an ellipsoid", point{"centre"}, lengths{"radii"})},
     {"plane", plain<raio::plane<number>>("a plane", point{"point"}, axis{"normal"})},
     {"circle", read_disc},
     {"disc", read_disc},

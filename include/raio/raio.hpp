@@ -19,6 +19,7 @@
 #include <raio/shape/convex_polyhedron.hpp>
 #include <raio/shape/cylinder.hpp>
 #include <raio/shape/disc.hpp>
+#include <raio/shape/ellipsoid.hpp>
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/heightfield.hpp>
 #include <raio/shape/hyperboloid.hpp>

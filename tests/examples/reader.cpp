@@ -193,6 +193,7 @@ TEST_CASE("shapes are read as the fields that raio has") {
     CHECK(same(solid("paraboloid 0 -1 0  0 1 0  2", beside), {{8, 9}}));
     CHECK(same(solid("hyperboloid 0 -1 0  0 1 0  3 5", beside), {{7, 9}}));
     CHECK(same(solid("two_sheet_hyperboloid 0 -1 0  0 1 0  0.5 3", up), {{7, 7.5}, {8.5, 9}}));
+    CHECK(same(solid("ellipsoid 0 1 0  1 3 2", up), {{6, 12}}));
     CHECK(same(solid("frustum 0 -1 0  0 2 0  3 1", up), {{7, 10}}));
     CHECK(same(solid("oriented_box 0 1 0  2 0 2  -2 0 2  0 1 0", beside), {{8, 10}}));
     CHECK(same(solid("tetrahedron -1 0 -1  3 0 -1  -1 0 3  -1 4 -1", up), {{8, 10}}));

@@ -25,11 +25,11 @@ std::string repeated(std::string_view words, int times) {
 
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
-    "a shape: algebraic, bilinear_patch, blob, box, capsule, circle, cone, cylinder, difference, disc, frustum, "
-    "heightfield, hyperboloid, intersection, mesh, open_algebraic, open_cone, open_cylinder, open_frustum, "
-    "open_hyperboloid, open_paraboloid, open_quadric, open_two_sheet_hyperboloid, oriented_box, paraboloid, "
-    "parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, round_cone, sphere, steiner, "
-    "surface_of_revolution, teardrop, tetrahedron, torus, triangle, two_sheet_hyperboloid, union";
+    "a shape: algebraic, bilinear_patch, blob, box, capsule, circle, cone, cylinder, difference, disc, ellipsoid, "
+    "frustum, heightfield, hyperboloid, intersection, mesh, open_algebraic, open_cone, open_cylinder, "
+    "open_frustum, open_hyperboloid, open_paraboloid, open_quadric, open_two_sheet_hyperboloid, oriented_box, "
+    "paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, round_cone, "
+    "sphere, steiner, surface_of_revolution, teardrop, tetrahedron, torus, triangle, two_sheet_hyperboloid, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -238,6 +238,9 @@ const bad_scene bad_objects[] = {
     {"a hyperboloid whose gap is as long as the axis",
      {.objects = "1 0 0 two_sheet_hyperboloid 0 0 0 0 1 0 1 1"},
      "5: found '1', expected a number between 0 and 1 for the gap of a hyperboloid"},
+    {"an ellipsoid with a radius of 0",
+     {.objects = "1 0 0 ellipsoid 0 0 0 1 0 1"},
+     "5: found '0', expected a number above 0 for the radii of an ellipsoid"},
     {"a capsule without radius",
      {.objects = "1 0 0 capsule 0 0 0 0 1 0 0"},
      "5: found '0', expected a number above 0 for the radius of a capsule"},

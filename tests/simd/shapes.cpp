@@ -2,6 +2,7 @@
 #include "support/cones.hpp"
 #include "support/cylinders.hpp"
 #include "support/discs.hpp"
+#include "support/ellipsoids.hpp"
 #include "support/hyperboloids.hpp"
 #include "support/packs.hpp"
 #include "support/paraboloids.hpp"
@@ -24,6 +25,7 @@ void check_packs(double may_be_left_open = 0.01) {
 }
 
 TEST_CASE_TEMPLATE("packs: sphere", T, float, double) { check_packs<sphere<T>>(); }
+TEST_CASE_TEMPLATE("packs: ellipsoid", T, float, double) { check_packs<ellipsoid<T>>(); }
 TEST_CASE_TEMPLATE("packs: plane", T, float, double) { check_packs<plane<T>>(); }
 TEST_CASE_TEMPLATE("packs: disc", T, float, double) { check_packs<disc<T>>(); }
 TEST_CASE_TEMPLATE("packs: triangle", T, float, double) { check_packs<triangle<T>>(); }

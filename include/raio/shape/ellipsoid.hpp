@@ -1,0 +1,68 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/math/angle.hpp>
+#include <raio/sphere_crossing.hpp>
+
+namespace raio {
+
+/// The points whose distances from `center` along the axes, each over its radius, are the coordinates of a point of the
+/// unit sphere. Turned about, it is `transformed`.
+///
+/// A line is mapped so that the ellipsoid becomes a sphere, and its direction is not made unit again: t stays what it
+/// is. Each coordinate is multiplied by the two radii of the other axes, which needs no division and makes a sphere
+/// whose radius is the product of all three; for its crossings see sphere_crossing.hpp.
+///
+/// uv: that of the sphere; u is the angle about +y from +x towards -z, v the latitude, 0 at the lowest y and 1 at the
+/// highest.
+template <real T>
+struct ellipsoid {
+    using number = T;
+
+    vec3<T> center;
+    vec3<T> radii;  ///< along the axes: lengths; the ellipsoid is missed unless each is positive
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{center - radii, center + radii}); }
+
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+        vec3<W> stretch = to_sphere<W>(), to_center = vec3<W>(center) - vec3<W>(ray.origin);
+        chord<W> c = cross_sphere<2>(stretch * to_center, stretch * vec3<W>(ray.direction), W(radii.x) * stretch.x);
+        const mask_t<T> sound = every(radii.x > T(0), radii.y > T(0), radii.z > T(0));
+        c.near.exists = every(c.near.exists, sound);
+        c.far.exists = every(c.far.exists, sound);
+        return c;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        using Q = quick_t<N>;
+        vec3<W> stretch = to_sphere<W>();
+        vec3<W> on_sphere = ((vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t) * stretch;
+        vec3<N> outward(normalize_from<T>(vec3<Q>(on_sphere * stretch)));
+        const T longest = max(radii.x, max(radii.y, radii.z)), shortest = min(radii.x, min(radii.y, radii.z));
+        record_point(ray, c, rec, min(longest * (longest / shortest), T(std::numeric_limits<scalar_t<T>>::max() / 4)));
+        rec.normal = outward * select(c.entering, N(1), N(-1));
+        vec3<T> unit(normalize_from<T>(vec3<Q>(on_sphere)));
+        rec.uv = {turns(-unit.z, unit.x), latitude(unit.y, sqrt(unit.x * unit.x + unit.z * unit.z))};
+    }
+
+private:
+    template <class W>
+    RAIO_FN constexpr vec3<W> to_sphere() const {
+        vec3<W> r(radii);
+        return {r.y * r.z, r.z * r.x, r.x * r.y};
+    }
+};
+
+}  // namespace raio

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <raio/math/quadratic.hpp>
+#include <raio/settle.hpp>
+
+namespace raio {
+
+/// The chord through the sphere about `l`, as seen from where the line has t = 0.
+///
+/// The point at t lies on it where |t d - l|^2 = radius^2:
+///
+///     t = (b -+ s) / a,    a = d.d,  b = l.d,  s^2 = a radius^2 - |l x d|^2
+///
+/// b / a is the closest approach to the centre, s / a half a chord, and |l x d| / |d| the distance at which the line
+/// passes the centre. Written with that distance, s^2 is not a difference of large squares, which is what loses small
+/// and far spheres (Haines, Guenther and Akenine-Moeller, Ray Tracing Gems ch. 7, 2019).
+///
+/// \tparam Roundings  1 if only l is rounded, and once; 2 for up to three roundings of each number
+template <int Roundings, class W>
+RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, const W& radius) {
+    using E = bound_t<W>;
+    vec3<W> moment = cross(l, d);
+    W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, passed2 = dot(moment, moment);
+    W s2 = ar2 - passed2;
+
+    // With u the unit roundoff, l x d is off by less than 4 Roundings u |l| |d|, and that decides whether the line
+    // passes by. The size of a vector is the sum of its components here.
+    constexpr double u = unit_roundoff<W>, least = least_normal<W>;
+    E l_size = norm1(vec3<E>(l)), d_size = norm1(vec3<E>(d)), moment_error = E(4 * Roundings * u) * l_size * d_size;
+    E s2_error =
+        moment_error * (E(2) * norm1(vec3<E>(moment)) + moment_error) + E(8 * Roundings * u) * (E(ar2) + E(passed2));
+    s2_error = with_underflow<W>(s2_error);
+    // A sphere so small that the last precision cannot tell it from its centre has no normal: it is missed.
+    E resolved = tie<W>(E(0x1p24 * u * u) * (E(b) * E(b)));
+    const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), ar2 >= W(least) + resolved, radius > W(0));
+    // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
+    const mask_t<W> long_chord = every(s2 > s2_error, s2 > W(0x1p-10) * ar2);
+    const mask_t<W> certain = every(a >= W(least), some(s2 < -s2_error, long_chord));
+    if (none(exists)) return {{exists, certain, W(0), E(0), exists}, {exists, certain, W(0), E(0), exists}};
+
+    W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
+    E error = with_underflow<W>(E(0x1p9 * Roundings * u) * d_size * (l_size + E(radius)) * E(over_a));
+    vec2<W> t = quadratic_roots(over_a, b, dot(l, l) - radius * radius, s);
+    return {{exists, certain, t.x, error, exists}, {exists, certain, t.y, error, !exists}};
+}
+
+}  // namespace raio
