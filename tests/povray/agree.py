@@ -102,6 +102,32 @@ def surface_of_revolution(profile):
             f"lathe {{ linear_spline {len(profile)}, {', '.join(pov(point) for point in profile)} sturm }}")
 
 
+def cone(base, apex, radius, is_open=False):
+    name, ending = ("open_cone", " open") if is_open else ("cone", "")
+    return f"{name} {words(base, apex, radius)}", f"cone {{ {pov(base)}, {radius}, {pov(apex)}, 0{ending} }}"
+
+
+def frustum(base, top, low, high):
+    return f"frustum {words(base, top, low, high)}", f"cone {{ {pov(base)}, {low}, {pov(top)}, {high} }}"
+
+
+def quadric(low, high, squares, products, linear, constant):
+    """Within a box; POV-Ray has the products in another order."""
+    yz, zx, xy = products
+    return (f"quadric {words(low, high, squares, products, linear, constant)}",
+            f"intersection {{ quadric {{ {pov(squares)}, {pov((xy, zx, yz))}, {pov(linear)}, {constant} }} "
+            f"box {{ {pov(low)}, {pov(high)} }} }}")
+
+
+def algebraic(low, high, degree, terms):
+    """Within a box; the terms as a map from powers to coefficients. POV-Ray has a coefficient for all there could be."""
+    coefficients = [terms.get((i, j, k), 0.0) for i in range(degree, -1, -1) for j in range(degree - i, -1, -1)
+                    for k in range(degree - i - j, -1, -1)]
+    return (f"algebraic {words(low, high)} {len(terms)} " +
+            " ".join(f"{words(c)} {i} {j} {k}" for (i, j, k), c in terms.items()),
+            f"intersection {{ poly {{ {degree}, {pov(coefficients)} sturm }} box {{ {pov(low)}, {pov(high)} }} }}")
+
+
 # Shapes made of shapes.
 
 
@@ -143,6 +169,13 @@ SCENES = {
                               ((1.0, 1.0, -1.0), -1.5), (times(X, -1.0), -1.2), (times(Y, -1.0), -0.9),
                               (times(Z, -1.0), -1.0)]),
                   box((1.5, -1.0, -2.0), (2.5, 1.0, -1.0))],
+    "cones": [cone((-1.5, -1.0, 0.0), (-1.0, 1.5, 0.5), 0.8), cone((0.5, 1.0, 1.0), (0.5, -0.8, 0.5), 0.6, True),
+              frustum((1.0, -1.0, -1.0), (2.0, 1.0, -1.0), 0.9, 0.4)],
+    "quadrics": [quadric((-2.6, -1.0, -1.0), (-0.6, 1.0, 1.0), (1.0, -1.0, 1.0), (0.3, 0.0, 0.0), (3.2, 0.0, 0.0), 2.4),
+                 quadric((0.2, -1.0, -1.0), (2.2, 1.0, 1.0), (1.0, 0.0, -1.0), (0.0, 0.0, 0.5), (-2.4, 1.0, 0.0), 1.4)],
+    "quartics": [algebraic((-1.2, -1.2, -1.2), (1.2, 1.2, 1.2), 4,
+                           {(4, 0, 0): 1.0, (0, 4, 0): 1.0, (0, 0, 4): 1.0, (2, 0, 0): -1.0, (0, 2, 0): -1.0,
+                            (0, 0, 2): -1.0, (1, 1, 1): 0.4, (0, 0, 0): 0.35})],
     "turned": [surface_of_revolution([(0.0, -1.0), (0.9, -1.0), (0.9, -0.9), (0.2, -0.7), (0.15, 0.0), (0.8, 0.6),
                                       (1.0, 1.5), (0.9, 1.5), (0.7, 0.7), (0.0, 0.1)])],
     "csg": [difference(intersection(box((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)), sphere((0.0, 0.0, 0.0), 1.35)),

@@ -234,7 +234,7 @@ std::string spawned_hit(const probe<Shape>& p, random_numbers& random) {
 template <class Shape>
 void check_properties() {
     const auto check = [](const char* property, int count, auto complaint) {
-        for_random_probes<Shape>(property, count, complaint);
+        for_random_probes<Shape>(property, share_of(count), complaint);
     };
     using probe = test::probe<Shape>;
     check("hit, occluded and record", 20'000, [](const probe& p, auto&) { return unsound_answer(p); });

@@ -48,13 +48,17 @@ private:
     std::uint64_t state_;
 };
 
-/// How many rays the comparisons with the oracle send. The answers are the same bits from every compiler, and sanitizers
-/// are slow: one compiler sends them all, the others a fifth.
-#if defined(__clang__) || defined(__SANITIZE_ADDRESS__)
-inline constexpr int normal_run = 20'000;
+/// How many rays the comparisons with the oracle send. The answers are the same bits from every compiler, and
+/// sanitizers are slow: one compiler sends them all, others a part of them.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr int normal_run = 5'000;
+#elif defined(__has_feature)
+inline constexpr int normal_run = __has_feature(address_sanitizer) ? 5'000 : 20'000;
 #else
 inline constexpr int normal_run = 100'000;
 #endif
+/// The same part of another number.
+constexpr int share_of(int count) { return count / (100'000 / normal_run); }
 inline constexpr int nightly_run = 10'000'000;
 
 }  // namespace raio::test

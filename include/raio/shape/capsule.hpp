@@ -74,7 +74,7 @@ struct capsule {
         rec.normal = outward * select(c.entering, N(1), N(-1));
 
         const mask_t<T> is_long = T(axis2) > T(0);
-        vec3<T> up(select(is_long, normalize(vec3<Q>(axis)), vec3<Q>(Q(0), Q(0), Q(1))));
+        vec3<T> up(normalize(select(is_long, vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1)))));
         const frame<T> f = frame_about(up);
         vec3<T> from_center(from_axis);
         const T size = T(sqrt(axis2)), rise = dot(from_center, up),
