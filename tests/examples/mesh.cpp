@@ -64,7 +64,8 @@ TEST_CASE("a wrong mesh is named with its line") {
          "2: found a face with the corner -2, expected the number of one of the 1 vertices above"},
         {"a word for a corner", "v 0 0 0\nf 1 1 one",
          "2: found a face with the corner 0, expected the number of one of the 1 vertices above"},
-        {"bytes", std::string("\0\xff\x01 f 1 2", 9), "1: found no face, expected a Wavefront OBJ or PLY file with faces"},
+        {"bytes", std::string("\0\xff\x01 f 1 2", 9),
+         "1: found no face, expected a Wavefront OBJ or PLY file with faces"},
     };
     for (const auto& row : rows) {
         CAPTURE(row.name);

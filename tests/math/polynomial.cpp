@@ -61,7 +61,6 @@ std::string wrong_roots(const polynomial_roots<W, N>& found, std::vector<oracle>
         std::size_t near = 0;
         for (const oracle& root : roots) near += abs(root - t) <= error;
         if (places[i].before * places[i].after < 0 && near == 0) return "off by more than its error";
-        
     }
     for (const oracle& root : roots) {
         for (std::size_t i = 0; i < found.count; ++i) {
