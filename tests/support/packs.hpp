@@ -58,20 +58,26 @@ std::array<probe<Shape>, N> probes_side_by_side(random_numbers& random, MakeProb
     return probes;
 }
 
-/// What is wrong with one lane of the crossings: wherever it is certain, the exact one exists or does not just so, and
-/// t is off by no more than the error that is stated.
+/// What is wrong with one lane of the crossings: those that it is certain of have an exact one within the error that is
+/// stated, and every exact one is among them, unless the lane leaves one open. Which of the two is called the near one
+/// is another matter where a shape is open, and the other end is far outside of it.
 template <class Shape, class S, std::size_t N>
 std::string wrong_lane(const probe<Shape>& p, const std::vector<crossing<pack<S, N>>>& found, std::size_t lane) {
     const std::vector exact = exact_crossings(p.shape, p.ray);
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        if (!found[i].certain[lane]) continue;
-        const bool exists = found[i].exists[lane];
-        if (exists != exact[i].exists) return exists ? "certain of a false hit" : "certain of a false miss";
-        if (!exists || !(abs(exact[i].t) < std::numeric_limits<S>::max())) continue;
-        const S t = found[i].t[lane], error = found[i].error[lane];
-        const oracle off = abs(oracle(t) - exact[i].t);
-        if (!(off <= oracle(error)) && error < infinity<S>)
-            return "off by " + literal(rounded<double>(off)) + ", said " + literal(double(error));
+    const auto is = [&](const crossing<pack<S, N>>& c, const crossing<oracle>& e) {
+        const S error = c.error[lane];
+        const bool in_range = abs(e.t) < std::numeric_limits<S>::max() && error < infinity<S>;
+        return e.exists && (!in_range || abs(e.t - oracle(c.t[lane])) <= oracle(error));
+    };
+    for (const auto& c : found) {
+        if (!c.certain[lane] || !c.exists[lane]) continue;
+        if (std::ranges::none_of(exact, [&](const auto& e) { return is(c, e); })) {
+            return "certain of a false hit at t = " + literal(c.t[lane]) + ", said " + literal(c.error[lane]);
+        }
+    }
+    for (const auto& e : exact) {
+        const auto may_be = [&](const auto& c) { return !c.certain[lane] || (c.exists[lane] && is(c, e)); };
+        if (e.exists && std::ranges::none_of(found, may_be)) return "certain of a false miss";
     }
     return "";
 }
