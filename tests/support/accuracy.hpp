@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "support/probe.hpp"
 
@@ -122,7 +123,9 @@ void check_accuracy(int rays, double excusable = 1e-3) {
     MESSAGE(rays << " rays, " << hits << " hits, t off by up to " << worst_ulp
                  << " ulp more than stated, undecided: " << excused);
     CHECK(hits > rays / 20);
-    CHECK(excused < rays * excusable);
+    // In a short run chance has its share: three standard deviations of so rare a count.
+    const double expected = rays * excusable;
+    CHECK(excused < expected + 3 * std::sqrt(expected));
 }
 
 /// In the precision of W: wherever a crossing is certain it exists if and only if the exact one does, and its t is off

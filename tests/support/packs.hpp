@@ -159,7 +159,7 @@ void check_lanes_of_hits(int rays) {
         }
     }
     CHECK(complaints == 0);
-    CHECK(settled_hits > rays / 10);
+    CHECK(settled_hits > rays / 20);
 }
 
 /// The shape about one unit large and up to ten away, a ray from up to thirty units farther on that meets it about half
