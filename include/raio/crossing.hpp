@@ -139,4 +139,10 @@ RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, crossing<W>& c) {
     c.exists = every(c.exists, farthest < most);
 }
 
+template <real T, real R, class W>
+RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, chord<W>& c) {
+    keep_if_reachable<T>(ray, c.near);
+    keep_if_reachable<T>(ray, c.far);
+}
+
 }  // namespace raio

@@ -55,8 +55,7 @@ struct capsule {
         const mask_t<W> sound = every(is_finite(base), is_finite(top), !slim);
         c.near.exists = every(c.near.exists, sound);
         c.far.exists = every(c.far.exists, sound);
-        keep_if_reachable<T>(ray, c.near);
-        keep_if_reachable<T>(ray, c.far);
+        keep_if_reachable<T>(ray, c);
         return c;
     }
 

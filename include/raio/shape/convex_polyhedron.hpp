@@ -81,8 +81,7 @@ struct convex_polyhedron {
             if (all(c.near.certain && !c.near.exists)) break;
             face = face + index_t<W>(1);
         }
-        keep_if_reachable<T>(ray, c.near);
-        keep_if_reachable<T>(ray, c.far);
+        keep_if_reachable<T>(ray, c);
         return c;
     }
 

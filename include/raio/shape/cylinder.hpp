@@ -135,8 +135,7 @@ struct cylinder {
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = intersect(detail::cross_endless_cylinder<W>(base, top, radius, ray),
                                detail::cross_cap_planes<W>(base, top, ray));
-        keep_if_reachable<T>(ray, c.near);
-        keep_if_reachable<T>(ray, c.far);
+        keep_if_reachable<T>(ray, c);
         return c;
     }
 

@@ -136,8 +136,7 @@ struct frustum {
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c =
             intersect(detail::cross_nappe<W>(base, top, radii(), ray), detail::cross_cap_planes<W>(base, top, ray));
-        keep_if_reachable<T>(ray, c.near);
-        keep_if_reachable<T>(ray, c.far);
+        keep_if_reachable<T>(ray, c);
         return c;
     }
 
@@ -181,8 +180,7 @@ struct open_frustum {
         chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         chord<W> c = detail::cross_nappe<W>(base, top, radii(), ray);
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
-        keep_if_reachable<T>(ray, c.near);
-        keep_if_reachable<T>(ray, c.far);
+        keep_if_reachable<T>(ray, c);
         return c;
     }
 

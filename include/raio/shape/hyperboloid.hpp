@@ -65,8 +65,7 @@ RAIO_FN constexpr crossing_list<W, 4> cross_capped(const vec3<T>& base, const ve
     const chord<W> slab = cross_cap_planes<W>(base, top, ray);
     const auto append = [&](const chord<W>& endless) {
         chord<W> part = intersect(endless, slab);
-        keep_if_reachable<T>(ray, part.near);
-        keep_if_reachable<T>(ray, part.far);
+        keep_if_reachable<T>(ray, part);
         list.append(part);
     };
     if (c.hollow) {
@@ -86,8 +85,7 @@ RAIO_FN constexpr chord<W> cross_side(const vec3<T>& base, const vec3<T>& top, c
                                       const ray<R>& ray) {
     chord<W> slab = cross_cap_planes<W>(base, top, ray), c = cross_endless_hyperboloid(base, top, side, ray).ends;
     c = {within(slab, c.near), within(slab, c.far)};
-    keep_if_reachable<T>(ray, c.near);
-    keep_if_reachable<T>(ray, c.far);
+    keep_if_reachable<T>(ray, c);
     return c;
 }
 

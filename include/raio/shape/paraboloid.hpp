@@ -90,8 +90,7 @@ struct paraboloid {
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = intersect(detail::cross_endless_paraboloid<W>(vertex, top, radius, ray),
                                detail::cross_upper_plane<W>(vertex, top, ray));
-        keep_if_reachable<T>(ray, c.near);
-        keep_if_reachable<T>(ray, c.far);
+        keep_if_reachable<T>(ray, c);
         return c;
     }
 
@@ -127,8 +126,7 @@ struct open_paraboloid {
         chord<W> slab = detail::cross_upper_plane<W>(vertex, top, ray);
         chord<W> c = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
-        keep_if_reachable<T>(ray, c.near);
-        keep_if_reachable<T>(ray, c.far);
+        keep_if_reachable<T>(ray, c);
         return c;
     }
 

@@ -46,8 +46,7 @@ struct round_cone {
             every(is_finite(base), is_finite(top), lesser > T(0), is_finite(base_radius + top_radius), !slim);
         c.near.exists = every(c.near.exists, sound);
         c.far.exists = every(c.far.exists, sound);
-        keep_if_reachable<T>(ray, c.near);
-        keep_if_reachable<T>(ray, c.far);
+        keep_if_reachable<T>(ray, c);
         return c;
     }
 
