@@ -18,6 +18,7 @@ struct who_is_what {
     static_assert(!solid<watertight_triangle<T>> && sampleable<watertight_triangle<T>>);
     static_assert(bounded<bilinear_patch<T>> && !solid<bilinear_patch<T>> && !sampleable<bilinear_patch<T>>);
     static_assert(bounded<heightfield<T>> && !solid<heightfield<T>> && std::is_aggregate_v<heightfield<T>>);
+    static_assert(bounded<bezier_curve<T>> && solid<bezier_curve<T>> && std::is_aggregate_v<bezier_curve<T>>);
     static_assert(bounded<round_cone<T>> && solid<round_cone<T>> && std::is_aggregate_v<round_cone<T>>);
     static_assert(bounded<parallelogram<T>> && !solid<parallelogram<T>> && sampleable<parallelogram<T>>);
     static_assert(primitive<box<T>> && bounded<box<T>> && solid<box<T>> && sampleable<box<T>>);

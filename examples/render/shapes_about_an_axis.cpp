@@ -1,3 +1,5 @@
+#include <tuple>
+
 #include "shape_readings.hpp"
 
 namespace render {
@@ -14,6 +16,16 @@ shape read_cylinder(tokens& in, int) {
 }
 
 constexpr requirement inner_fraction{"a number between 0 and 1", [](double x) { return x > 0 && x < 1; }};
+
+shape read_bezier_curve(tokens& in, int) {
+    raio::bezier_curve<number> curve{};
+    for (vec3* p : {&curve.p0, &curve.p1, &curve.p2, &curve.p3})
+        *p = vector(in, "the control points of a Bezier curve");
+    const auto radii = numbers<4>(in, "the radii of a Bezier curve", not_negative);
+    if (radii == std::array<number, 4>{}) in.fail("radii that are all 0", "one above 0 at least");
+    std::tie(curve.r0, curve.r1, curve.r2, curve.r3) = std::tuple_cat(radii);
+    return kept(curve);
+}
 
 shape read_surface_of_revolution(tokens& in, int) {
     raio::surface_of_revolution<number> surface{
@@ -37,6 +49,7 @@ shape_readings shapes_about_an_axis() {
         {"capsule", plain<raio::capsule<number>>("a capsule", point{"base"}, point{"top"}, measure{"radius"})},
         {"round_cone", plain<raio::round_cone<number>>("a round cone", point{"base"}, point{"top"},
                                                        measure{"base radius"}, measure{"top radius"})},
+        {"bezier_curve", read_bezier_curve},
         {"cone", upright<raio::cone<number>>("a cone", point{"base"}, point{"apex"}, measure{"radius"})},
         {"open_cone", upright<raio::open_cone<number>>("a cone", point{"base"}, point{"apex"}, measure{"radius"})},
         {"frustum", upright<raio::frustum<number>>("a frustum", point{"base"}, point{"top"}, measure{"base radius"},

@@ -11,6 +11,7 @@
 #include <raio/compose/transformed.hpp>
 #include <raio/math/simd.hpp>
 #include <raio/shape/algebraic.hpp>
+#include <raio/shape/bezier_curve.hpp>
 #include <raio/shape/bilinear_patch.hpp>
 #include <raio/shape/blob.hpp>
 #include <raio/shape/box.hpp>

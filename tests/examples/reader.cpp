@@ -189,6 +189,7 @@ TEST_CASE("shapes are read as the fields that raio has") {
     };
     const ray up{{0, -8, 0}, {0, 1, 0}}, beside{{1, -8, 1}, {0, 1, 0}};
     CHECK(same(solid("capsule 0 -1 0  0 2 0  0.5", up), {{6.5, 10.5}}));
+    CHECK(same(solid("bezier_curve 0 -1 0  0 0 0  0 1 0  0 2 0  0.5 0.5 0.5 1", up), {{6.5, 11}}));
     CHECK(same(solid("cone 0 -1 0  0 2 0  3", up), {{7, 10}}));
     CHECK(same(solid("paraboloid 0 -1 0  0 1 0  2", beside), {{8, 9}}));
     CHECK(same(solid("hyperboloid 0 -1 0  0 1 0  3 5", beside), {{7, 9}}));

@@ -25,7 +25,7 @@ std::string repeated(std::string_view words, int times) {
 
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
-    "a shape: algebraic, bilinear_patch, blob, box, capsule, circle, cone, cylinder, difference, disc, ellipsoid, "
+    "a shape: algebraic, bezier_curve, bilinear_patch, blob, box, capsule, circle, cone, cylinder, difference, disc, ellipsoid, "
     "frustum, heightfield, hyperboloid, intersection, mesh, open_algebraic, open_cone, open_cylinder, "
     "open_frustum, open_hyperboloid, open_paraboloid, open_quadric, open_two_sheet_hyperboloid, oriented_box, "
     "paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, round_cone, "
@@ -205,6 +205,9 @@ const bad_scene bad_objects[] = {
     {"a round cone without top",
      {.objects = "1 0 0 round_cone 0 0 0 0 2 0 1 0"},
      "5: found '0', expected a number above 0 for the top radius of a round cone"},
+    {"a Bezier curve without radius",
+     {.objects = "1 0 0 bezier_curve 0 0 0 1 0 0 2 0 0 3 0 0  0 0 0 0"},
+     "5: found radii that are all 0, expected one above 0 at least"},
     {"a parallelogram without area",
      {.objects = "1 0 0 parallelogram 0 0 0 1 2 3 2 4 6"},
      "5: found a parallelogram without area, expected edges that are not on one line"},

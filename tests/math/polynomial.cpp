@@ -80,6 +80,13 @@ polynomial_roots<W, N> found_roots(const std::vector<oracle>& roots, double low,
     return found;
 }
 
+TEST_CASE("polynomial: its largest magnitude in an interval") {
+    const polynomial<double, 2> p{{1, -4, 3}, {0, 0, 0.5}};
+    CHECK(p.magnitude(0) == 1);
+    CHECK(p.magnitude(1) == 8.5);
+    CHECK(p.magnitude(2) == 23);
+}
+
 TEST_CASE_TEMPLATE("polynomial: roots far apart are certain, and each is found", W, strict_double, double_double,
                    oracle) {
     CHECK(found_roots<W, 1>({3}, -10, 10).certain);

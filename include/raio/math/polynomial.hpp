@@ -42,6 +42,13 @@ struct polynomial {
         return d;
     }
 
+    /// The largest magnitude between 0 and t, or a larger one.
+    RAIO_FN constexpr bound_t<W> magnitude(const bound_t<W>& t) const {
+        bound_t<W> sum(0);
+        for (std::size_t k = N + 1; k-- > 0;) sum = sum * t + (abs(bound_t<W>(coefficient[k])) + error[k]);
+        return sum;
+    }
+
     /// The polynomial whose value at |t| bounds the error of the value at t: that of the coefficients, and 2 N
     /// roundings (Horner's rule; Higham, Accuracy and Stability of Numerical Algorithms, 5.1).
     RAIO_FN constexpr polynomial<bound_t<W>, N> noise() const {

@@ -1,0 +1,227 @@
+#pragma once
+
+#include <raio/algebraic_crossing.hpp>
+#include <raio/concepts.hpp>
+#include <raio/math/angle.hpp>
+#include <raio/math/bezier.hpp>
+#include <raio/math/frame.hpp>
+
+namespace raio {
+
+/// A round curve: what a sphere sweeps whose centre C follows a cubic Bezier curve while its radius r, a cubic as well,
+/// changes with it.
+///
+/// A line goes into the sphere of the parameter u and out of it at (see sphere_crossing.hpp; s > 0 where it meets it)
+///
+///     t = (b -+ sqrt(s)) / d.d,    b = (C - origin).d,    s = d.d r^2 - |(C - origin) x d|^2
+///
+/// Where s >= 0 along a stretch of the curve, the line is inside from the least of these t to the greatest. They are at
+/// the ends of the curve, or where the derivative of t is zero: 4 s b'^2 = s'^2, a polynomial of degree 10 (van Wijk,
+/// Computers & Graphics 9(3), 1985). Its roots, and those of s, are isolated; t does not change with u there, so that
+/// it is as exact as the square of what a root is off by. What is within another part of the curve is no surface.
+///
+/// The answers are as exact as those of any other shape: for float always, for double as long as 106 bits can tell. A
+/// tip, where the radius is zero, they cannot tell from 2^-40 of the size beyond it.
+///
+/// uv: u is the angle about the direction of the curve at that sphere, from the x axis of `frame_about` of it; v is the
+/// parameter of the curve, 0 at p0 and 1 at p3.
+template <real T>
+struct bezier_curve {
+    using number = T;
+
+    vec3<T> p0, p1, p2, p3;  ///< control points: it begins at p0 towards p1, and ends at p3, coming from p2
+    T r0, r1, r2, r3;        ///< radii in the same order; missed if one is below zero, or all are zero
+
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return first_hit(*this, ray, t_min, t_max, rec);
+    }
+
+    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        return any_hit(*this, ray, t_min, t_max);
+    }
+
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+
+    /// Around the spheres of the control points: each one that is swept is a mean of them. And around the tips, which
+    /// even 106 bits cannot tell from a little beyond.
+    RAIO_FN constexpr aabb<T> bounds() const {
+        const aabb<T> box = around_controls();
+        vec3<T> blur(T(0x1p-40) * norm1(vec3<T>(box.max - box.min)));
+        return padded(padded(aabb<T>{box.min - blur, box.max + blur}));
+    }
+
+    template <class W, real R>
+    RAIO_FN constexpr crossing_list<W, 14> crossings(const ray<R>& ray) const {
+        const aabb<T> box = around_controls();
+        vec3<W> low(box.min), high(box.max);
+        const W size = length(high - low) * W(0.5);
+        crossing_list<W, 14> list;
+        if (!is_sound()) return list;
+        const auto part = part_near(ray, p0, low + (high - low) * W(0.5), size);
+        list.certain = part.certain;
+        if (!part.exists) return list;
+
+        const sweep<W> swept = sweep_along(part, W(1) / size);
+        const auto [roots, begins_inside] = find_roots(swept.beyond, W(0), W(1));
+        list.certain = roots.certain;
+        std::array<chord<W>, 7> chords{};
+        std::size_t count = 0;
+        const auto add = [&](const end_of_stretch<W>& from, const end_of_stretch<W>& to) {
+            // In order of where the line enters.
+            chord<W> next = swept.extent(part, from, to);
+            std::size_t i = count++;
+            for (; i > 0 && next.near.t < chords[i - 1].near.t; --i) chords[i] = chords[i - 1];
+            chords[i] = next;
+        };
+        end_of_stretch<W> from{W(0), bound_t<W>(0)};
+        bool within = begins_inside;
+        for (const polynomial_root<W>& root : roots) {
+            const bool touches = root.before * root.after > 0, goes_on = root.after <= 0;
+            if (!within) from = {max(W(0), root.t - W(root.error)), root.error};
+            if (!goes_on || (within && touches && root.before > 0)) {
+                add(from, {min(W(1), root.t + W(root.error)), root.error});
+            }
+            within = goes_on;
+        }
+        if (within) add(from, {W(1), bound_t<W>(0)});
+
+        for (std::size_t i = 0; i < count;) {
+            chord<W> both = chords[i];
+            for (++i; i < count; ++i) {
+                const bound_t<W> gap(chords[i].near.t - both.far.t), slack = chords[i].near.error + both.far.error;
+                list.certain = list.certain && (gap > slack || gap < -slack);
+                if (gap > tie<W>(slack)) break;
+                both = unite(both, chords[i]);
+            }
+            list.append(both);
+        }
+        detail::start_at_origin(list);
+        return list;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        using Q = quick_t<N>;
+        const W u = c.uv.x;
+        vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(p0)) + vec3<W>(ray.direction) * c.t, ahead(W(0));
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const polynomial<W, 3> center = coordinate<W>(axis);
+            from_center[axis] -= center(u), ahead[axis] = center.derivative()(u);
+        }
+        const aabb<T> box = around_controls();
+        const T size = norm1(vec3<T>(box.max - box.min));
+        record_gradient(ray, c, from_center, size, rec);
+        rec.error += vec3<T>(T(0x1p-60) * size);  // from where on s is certain, of a curve of 2^-30 of its length
+
+        vec3<Q> onwards(scaled_into_range<Q>(vec3<Q>(ahead))), outward(from_center);
+        const bool still = !(norm1(onwards) > Q(0));
+        const frame<Q> f = frame_about(still ? vec3<Q>(Q(0), Q(0), Q(1)) : normalize(onwards));
+        rec.uv = {turns(T(dot(outward, f.y)), T(dot(outward, f.x))), max(T(0), min(T(1), T(u)))};
+    }
+
+private:
+    RAIO_FN constexpr aabb<T> around_controls() const {
+        const auto around = [](const vec3<T>& p, T r) { return aabb<T>{p - vec3<T>(r), p + vec3<T>(r)}; };
+        return hull(hull(around(p0, r0), around(p1, r1)), hull(around(p2, r2), around(p3, r3)));
+    }
+
+    /// A place of the curve where s begins or ends to be above zero, and how far that may be off.
+    template <class W>
+    struct end_of_stretch {
+        W u;
+        bound_t<W> error;
+    };
+
+    /// b and s along the curve, for a part of the line.
+    template <class W>
+    struct sweep {
+        using E = bound_t<W>;
+
+        W a;
+        polynomial<W, 3> b;
+        polynomial<W, 6> beyond;  ///< -s
+        polynomial<W, 2> b_slope = b.derivative();
+        polynomial<W, 5> beyond_slope = beyond.derivative();
+
+        /// From the least t of a stretch of the curve to the greatest.
+        RAIO_FN constexpr chord<W> extent(const line_part<W>& part, const end_of_stretch<W>& from,
+                                          const end_of_stretch<W>& to) const {
+            chord<W> c = unite(at(part, from.u, from.error), at(part, to.u, to.error));
+            const polynomial<W, 2> twice = b_slope + b_slope;
+            const auto turns = product<10>(beyond, product<4>(twice, twice)) + product<10>(beyond_slope, beyond_slope);
+            for (const polynomial_root<W>& root : roots_between(turns, from.u, to.u)) {
+                c = unite(c, at(part, root.t, root.error));
+            }
+            return c;
+        }
+
+        /// Where the line goes into the sphere of u and out of it; of the greatest and the least t, that are no farther
+        /// away than `off`, they are off by no more than the error.
+        RAIO_FN constexpr chord<W> at(const line_part<W>& part, const W& u, const E& off) const {
+            W height = -beyond(u), middle = b(u);
+            E place = abs(E(u)) + off, noise = beyond.noise()(place), b_noise = b.noise()(place);
+            W root = E(height) > noise ? sqrt(height) : W(0);
+            // How fast b and s change within `off`, and how fast that changes.
+            E b_bend = b_slope.derivative().magnitude(place), s_bend = beyond_slope.derivative().magnitude(place);
+            E b_rise = abs(E(b_slope(u))) + b_slope.noise()(place) + off * b_bend;
+            E s_rise = abs(E(beyond_slope(u))) + beyond_slope.noise()(place) + off * s_bend;
+            E least = E(height) - noise - off * s_rise, most = abs(E(height)) + noise + off * s_rise;
+            E error = off * b_rise + E(2) * sqrt(most);
+            if (least > E(0)) {
+                E low = sqrt(least), bend = b_bend + s_bend / (E(2) * low) + s_rise * s_rise / (E(4) * low * least);
+                error = min(error, off * off * bend + noise / low);
+            }
+            error += b_noise + E(32 * unit_roundoff<W>) * (abs(E(middle)) + E(root));
+            const auto end = [&](const W& sum, bool entering) {
+                crossing<W> c = part.at({sum / a, error / E(a), 0, 0, E(0)}, entering);
+                c.uv = {u, W(0)};
+                return c;
+            };
+            return {end(middle - root, true), end(middle + root, false)};
+        }
+    };
+
+    RAIO_FN constexpr bool is_sound() const {
+        const T least = min(min(r0, r1), min(r2, r3)), most = max(max(r0, r1), max(r2, r3));
+        return is_finite(p0) && is_finite(p1) && is_finite(p2) && is_finite(p3) && least >= T(0) && most > T(0) &&
+               is_finite(r0 + r1 + r2 + r3);
+    }
+
+    /// Of the centre, as seen from p0.
+    template <class W>
+    RAIO_FN constexpr polynomial<W, 3> coordinate(glm::length_t axis) const {
+        return bezier_polynomial<W>(p0[axis], p1[axis], p2[axis], p3[axis]);
+    }
+
+    /// \param over_size  1 over the unit of length
+    template <class W>
+    RAIO_FN constexpr sweep<W> sweep_along(const line_part<W>& part, const W& over_size) const {
+        const auto unit = constant(over_size, 2);
+        std::array<polynomial<W, 3>, 3> to_center;
+        std::array<polynomial<W, 0>, 3> along;
+        polynomial<W, 0> a;
+        polynomial<W, 3> b;
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<std::size_t>(axis);
+            const polynomial<W, 1> from = part.coordinate(axis);
+            polynomial<W, 3> center = coordinate<W>(axis);
+            center.coefficient[0] = -from.coefficient[0], center.error[0] = from.error[0];
+            to_center[i] = product<3>(center, unit);
+            along[i] = product<0>(polynomial<W, 0>{{from.coefficient[1]}, {from.error[1]}}, unit);
+            a = a + product<0>(along[i], along[i]);
+            b = b + product<3>(to_center[i], along[i]);
+        }
+        polynomial<W, 3> radius = bezier_polynomial<W>(r0, r1, r2, r3);
+        radius.coefficient[0] = W(r0);
+        radius = product<3>(radius, unit);
+        polynomial<W, 6> beyond = -product<6>(product<6>(radius, radius), a);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+            const auto moment = product<3>(to_center[j], along[k]) - product<3>(to_center[k], along[j]);
+            beyond = beyond + product<6>(moment, moment);
+        }
+        return {a.coefficient[0], b, beyond};
+    }
+};
+
+}  // namespace raio

@@ -1,0 +1,216 @@
+#include <raio/shape/bezier_curve.hpp>
+
+#include "support/cases.hpp"
+
+namespace raio::test {
+
+template <class T>
+inline constexpr bool is_convex<bezier_curve<T>> = false;
+
+template <class T>
+struct subject<bezier_curve<T>> {
+    static auto fields(auto& s) { return std::tie(s.p0, s.p1, s.p2, s.p3, s.r0, s.r1, s.r2, s.r3); }
+
+    /// One in eight is straight, one in eight ends in a tip, one in eight is of one radius.
+    static bezier_curve<T> random(random_numbers& random, double size, const vec3<double>& place) {
+        const double thickness = random.log_uniform(1e-2, 1);
+        const auto point = [&] { return vec3<T>(place + random.direction() * (size * random.uniform())); };
+        const auto radius = [&] { return static_cast<T>(size * thickness * random.uniform(0.1, 1)); };
+        bezier_curve<T> s{point(), point(), point(), point(), radius(), radius(), radius(), radius()};
+        if (random.one_in(8)) s.p1 = s.p0 + (s.p3 - s.p0) / T(4), s.p2 = s.p0 + (s.p3 - s.p0) / T(2);
+        if (random.one_in(8)) s.r3 = 0;
+        if (random.one_in(8)) s.r1 = s.r2 = s.r3 = s.r0;
+        return s;
+    }
+    static bezier_curve<T> lattice(random_numbers& random) {
+        bezier_curve<T> s;
+        for_each_number(s, [&](T& x) { x = T(random.integer(-2, 2)); });
+        for (T* r : {&s.r0, &s.r1, &s.r2, &s.r3}) *r = T(random.integer(0, 2));
+        return s;
+    }
+    template <class U>
+    struct ball {
+        vec3<U> center;
+        U radius;
+    };
+    /// One of the spheres that are swept (de Casteljau, as no polynomial).
+    static ball<T> swept(const bezier_curve<T>& s, const T& u) {
+        const auto mean = [&](const auto& a, const auto& b) { return a * (T(1) - u) + b * u; };
+        const auto cubic = [&](const auto& a, const auto& b, const auto& c, const auto& d) {
+            const auto ab = mean(a, b), bc = mean(b, c), cd = mean(c, d), abc = mean(ab, bc), bcd = mean(bc, cd);
+            return mean(abc, bcd);
+        };
+        return {cubic(s.p0, s.p1, s.p2, s.p3), cubic(s.r0, s.r1, s.r2, s.r3)};
+    }
+    static ball<double> random_ball(const bezier_curve<T>& s, random_numbers& random) {
+        const auto [center, radius] =
+            swept(s, static_cast<T>(random.one_in(4) ? random.integer(0, 1) : random.uniform()));
+        return {to_double(center), static_cast<double>(radius)};
+    }
+    static vec3<double> inner_point(const bezier_curve<T>& s, random_numbers& random) {
+        const auto [center, radius] = random_ball(s, random);
+        return center + random.direction() * (random.uniform(0, 0.99) * radius);
+    }
+    /// On the curve, or on the silhouette of a sphere.
+    static vec3<double> special_point(const bezier_curve<T>& s, const vec3<double>& from, random_numbers& random) {
+        const auto [center, radius] = random_ball(s, random);
+        const vec3<double> to_center = center - from;
+        const double sine = radius / length(to_center);
+        if (random.one_in(3) || !(sine < 1)) return center;
+        return center - to_center * (sine * sine) +
+               random.perpendicular(to_center) * (radius * std::sqrt(1 - sine * sine));
+    }
+    /// From the nearest of the spheres: about the best of many, thirds are taken away, and then the tips of parabolas
+    /// through three neighbours double the digits.
+    static oracle distance(const bezier_curve<oracle>& s, const vec3<oracle>& p) {
+        const auto beyond = [&]<class U>(const bezier_curve<U>& curve, const vec3<U>& q, const U& u) {
+            const auto [center, radius] = subject<bezier_curve<U>>::swept(curve, u);
+            return U(length(vec3<U>(q - center)) - radius);
+        };
+        const auto exactly_beyond = [&](const oracle& u) { return beyond(s, p, u); };
+        constexpr int count = 256;
+        const bezier_curve<double> rough{vec3<double>(s.p0),    vec3<double>(s.p1),    vec3<double>(s.p2),
+                                         vec3<double>(s.p3),    rounded<double>(s.r0), rounded<double>(s.r1),
+                                         rounded<double>(s.r2), rounded<double>(s.r3)};
+        std::vector<double> sampled;
+        for (int i = 0; i <= count; ++i) {
+            sampled.push_back(beyond(rough, vec3<double>(p), double(i) / count));
+        }
+        const auto sample = [&](int i) { return sampled[static_cast<std::size_t>(std::clamp(i, 0, count))]; };
+        oracle least = min(exactly_beyond(0), exactly_beyond(1));
+        for (int i = 0; i <= count; ++i) {
+            if (sample(i) > sample(i - 1) || sample(i) > sample(i + 1)) continue;
+            oracle low = max(oracle(0), oracle(i - 1) / count), high = min(oracle(1), oracle(i + 1) / count);
+            for (int step = 0; step < 30; ++step) {
+                const oracle a = low + (high - low) / 3, b = high - (high - low) / 3;
+                if (exactly_beyond(a) < exactly_beyond(b)) {
+                    high = b;
+                } else {
+                    low = a;
+                }
+            }
+            oracle u = (low + high) / 2, h = (high - low) * 4;
+            for (int step = 0; step < 3; ++step, h *= oracle(1e-3)) {
+                const oracle here = exactly_beyond(u), before = exactly_beyond(u - h), after = exactly_beyond(u + h);
+                const oracle bend = before + after - here - here;
+                if (bend > 0) u = max(oracle(0), min(oracle(1), oracle(u - (after - before) / (2 * bend) * h)));
+            }
+            least = min(least, exactly_beyond(u));
+        }
+        return least;
+    }
+    static bezier_curve<oracle> grown(bezier_curve<oracle> s) {
+        for (oracle* r : {&s.r0, &s.r1, &s.r2, &s.r3}) *r *= 1 + oracle(1e-40);
+        return s;
+    }
+};
+
+TEST_CASE_TEMPLATE("bezier_curve: named cases", T, float, double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const auto of_radius = [](const vec3<T>& a, const vec3<T>& b, const vec3<T>& c, const vec3<T>& d, T r) {
+        return bezier_curve<T>{a, b, c, d, r, r, r, r};
+    };
+    const bezier_curve<T> straight = of_radius({0, -3, 0}, {0, -1, 0}, {0, 1, 0}, {0, 3, 0}, 1),
+                          arch = of_radius({-2, 0, 0}, {-2, 4, 0}, {2, 4, 0}, {2, 0, 0}, 1),
+                          ball = of_radius({0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1),
+                          loop = of_radius({0, 0, 0}, {8, 8, 0}, {-8, 8, 0}, {0, 0, 0}, T(0.5)),
+                          to_and_fro = of_radius({0, -1, 0}, {0, 5, 0}, {0, -5, 0}, {0, 1, 0}, 1),
+                          thorn{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {0, 3, 0}, 1, T(2) / 3, T(1) / 3, 0},
+                          bead{{-4, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {4, 0, 0}, 0, 2, 2, 0};
+    const ray<T> ahead{{0, 0, 5}, {0, 0, -1}}, through_legs{{-9, 0, 0}, {1, 0, 0}};
+    check_cases<bezier_curve<T>>({
+        {"straight, the side", straight, ahead, enters(4)},
+        {"straight, from inside", straight, {{0, 0, 0}, {0, 0, -1}}, leaves(1)},
+        {"straight, the pole", straight, {{0, 9, 0}, {0, -1, 0}}, enters(5)},
+        {"straight, the other pole", straight, {{0, 9, 0}, {0, -1, 0}}, leaves(13), 6},
+        {"straight, along it, from inside", straight, {{0, 0, 0}, {0, 1, 0}}, leaves(4)},
+        {"straight, parallel to it, in the surface", straight, {{1, 9, 0}, {0, -1, 0}}, enters(6)},
+        {"straight, one number beyond the surface", straight, {{1 + eps, 9, 0}, {0, -1, 0}}, misses},
+        {"straight, tangent", straight, {{1, 0, 5}, {0, 0, -1}}, enters(5)},
+        {"straight, one number beyond the tangent", straight, {{1 + eps, 0, 5}, {0, 0, -1}}, misses},
+        {"straight, from the surface inwards", straight, {{0, 0, 1}, {0, 0, -1}}, enters(0)},
+        {"straight, from the surface outwards", straight, {{0, 0, 1}, {0, 0, 1}}, leaves(0)},
+        {"straight, behind the ray", straight, {{0, 0, 5}, {0, 0, 1}}, misses},
+        {"arch, from above", arch, {{0, 9, 0}, {0, -1, 0}}, enters(5)},
+        {"arch, from above, out", arch, {{0, 9, 0}, {0, -1, 0}}, leaves(7), 6},
+        {"arch, from the side", arch, {{0, 3, 5}, {0, 0, -1}}, enters(4)},
+        {"arch, the first leg", arch, through_legs, enters(6)},
+        {"arch, out of the first leg", arch, through_legs, leaves(8), 7},
+        {"arch, the second leg", arch, through_legs, enters(10), 9},
+        {"arch, out of the second leg", arch, through_legs, leaves(12), 11},
+        {"arch, from between the legs", arch, {{0, 0, 0}, {1, 0, 0}}, enters(1)},
+        {"arch, between the legs", arch, {{0, 0, 5}, {0, 0, -1}}, misses},
+        {"arch, tangent to its top", arch, {{0, 4, 5}, {0, 0, -1}}, enters(5)},
+        {"arch, one number above its top", arch, {{0, 4 + 4 * eps, 5}, {0, 0, -1}}, misses},
+        {"all points one: a sphere", ball, ahead, enters(4)},
+        {"all points one, tangent", ball, {{0, 1, 5}, {0, 0, -1}}, enters(5)},
+        {"a loop, where it ends on itself", loop, {{0, 0, 5}, {0, 0, -1}}, enters(4.5)},
+        {"a loop, its top", loop, {{0, 9, 0}, {0, -1, 0}}, enters(2.5)},
+        {"to and fro on a line: its middle", to_and_fro, ahead, enters(4)},
+        {"thorn, its tip", thorn, {{0, 9, 0}, {0, -1, 0}}, enters(6)},
+        {"thorn, its base", thorn, {{0, -9, 0}, {0, 1, 0}}, enters(8)},
+        {"thorn, beside its tip", thorn, {{0, 3 + T(0x1p-20), 5}, {0, 0, -1}}, misses},
+        {"bead, where it is thickest", bead, ahead, enters(3.5)},
+        {"bead, along it", bead, {{-9, 0, 0}, {1, 0, 0}}, enters(5)},
+        {"bead, along it, out", bead, {{-9, 0, 0}, {1, 0, 0}}, leaves(13), 6},
+        {"direction of length 1e20", straight, {{0, 0, 5}, {0, 0, -0x1p66}}, enters(0x1p-64)},
+        {"1e4 sizes away", straight, {{0, 0, T(20001)}, {0, 0, -1}}, enters(20000)},
+        {"no radius", of_radius({0, -3, 0}, {0, -1, 0}, {0, 1, 0}, {0, 3, 0}, 0), ahead, misses},
+        {"one radius below zero", {{0, -3, 0}, {0, -1, 0}, {0, 1, 0}, {0, 3, 0}, 1, 1, -1, 1}, ahead, misses},
+        {"direction zero", straight, {{0, 0, 0}, {0, 0, 0}}, misses},
+        {"window between the crossings", arch, through_legs, misses, T(8.5), T(9.5)},
+        {"window that is not a number", straight, ahead, misses, nan<T>},
+    });
+}
+
+TEST_CASE_TEMPLATE("bezier_curve: properties of every shape", T, float, double) { check_properties<bezier_curve<T>>(); }
+
+TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic", T, float, double) {
+    check_oracle<bezier_curve<T>>();
+    check_accuracy<bezier_curve<T>>(normal_run / 20,
+                                    4e-3);  // one in 24 rays is aimed at an end, and some of these are tips
+    check_bounds_of_errors<bezier_curve<T>>(normal_run / 50);
+}
+
+TEST_CASE_TEMPLATE("bezier_curve: one that is straight is a round cone", T, float, double) {
+    random_numbers random(41);
+    int hits = 0;
+    for (int i = 0; i < normal_run / 10; ++i) {
+        // Whole numbers and halves: what lies at a third and at two thirds is exact.
+        const auto point = [&] { return vec3<T>(T(random.integer(-9, 9)), T(random.integer(-9, 9)), T(3)); };
+        const vec3<T> base = point(), step = point();
+        const T radius = T(random.integer(4, 9)), widening = T(random.integer(-1, 1));
+        const bezier_curve<T> curve{base,   base + step,       base + step * T(2),    base + step * T(3),
+                                    radius, radius + widening, radius + 2 * widening, radius + 3 * widening};
+        const round_cone<T> straight{curve.p0, curve.p3, curve.r0, curve.r3};
+        const vec3<double> from = random.direction() * 99.0, to = random.direction() * random.uniform(0, 20);
+        const ray<T> r{vec3<T>(from), vec3<T>(to - from)};
+        hit_record<T> rec, expected;
+        REQUIRE(curve.hit(r, T(0), infinity<T>, rec) == straight.hit(r, T(0), infinity<T>, expected));
+        REQUIRE(rec.t == expected.t);
+        REQUIRE(length(vec3<T>(rec.normal - expected.normal)) < 16 * std::numeric_limits<T>::epsilon());
+        hits += rec.t > 0;
+    }
+    CHECK(hits > normal_run / 40);
+}
+
+TEST_CASE_TEMPLATE("bezier_curve: uv", T, float, double) {
+    const bezier_curve<T> curve{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}, 1, 1, 1, 1};
+    const auto uv = [&](const vec3<T>& origin, const vec3<T>& direction) {
+        hit_record<T> rec;
+        REQUIRE(curve.hit({origin, direction}, T(0), infinity<T>, rec));
+        return rec.uv;
+    };
+    CHECK(uv({9, 0, T(0.75)}, {-1, 0, 0}) == vec2<T>(0, 0.25));
+    CHECK(uv({0, 9, T(1.5)}, {0, -1, 0}) == vec2<T>(0.25, 0.5));
+    CHECK(uv({-9, 0, T(2.25)}, {1, 0, 0}) == vec2<T>(0.5, 0.75));
+    CHECK(uv({0, 0, -9}, {0, 0, 1}).y == T(0));
+    CHECK(uv({0, 0, 9}, {0, 0, -1}).y == T(1));
+}
+
+TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic, half a million times" * doctest::test_suite("nightly"), T, float,
+                   double) {
+    check_accuracy<bezier_curve<T>>(nightly_run / 20, 4e-3);
+}
+
+}  // namespace raio::test
