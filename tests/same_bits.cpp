@@ -33,9 +33,8 @@ public:
 
     /// Around the origin, up to twice the size away along each axis. The size is a power of two: its product is exact,
     /// so that nothing in this test depends on contraction either.
-    /// Out of line: inlined, g++ 12 at -O3 forwards the doubles and forgets that they were rounded to float.
     template <class T>
-    [[gnu::noinline]] vec3<T> point(double size) {
+    vec3<T> point(double size) {
         const double x = centred(), y = centred(), z = centred();
         return {static_cast<T>(x * size), static_cast<T>(y * size), static_cast<T>(z * size)};
     }

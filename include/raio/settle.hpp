@@ -84,6 +84,7 @@ template <real T, class Shape, real R, class Then>
 template <question Asked, real T, class Shape, real R, class Then>
 RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
     if constexpr (has_quick<T, R>) {
+        keep_as_stored<T>(shape, ray);
         auto quick = settled_in_window<Asked>(shape.template crossings<quick_t<T>>(ray), t_min, t_max);
         if (quick.certain) [[likely]]
             return then(quick);
@@ -125,6 +126,7 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
         return interval<T>{select(meets, T(c.near.t), infinity<T>), select(meets, T(c.far.t), -infinity<T>)};
     };
     if constexpr (detail::has_quick<T, R>) {
+        detail::keep_as_stored<T>(shape, ray);
         auto quick = shape.template crossings<quick_t<T>>(ray);
         const bool meets = some(quick.near.exists, quick.far.exists);
         const auto settled = [&](const auto& c) {

@@ -32,6 +32,19 @@ RAIO_FN constexpr double rounded_product(double a, double b) {
 #endif
 }
 
+/// Up to g++ 13 a float that was made of a double can come out as that double again, never rounded, when the optimiser
+/// has packed two of the conversions into one vector. So it does not learn what the floats of an argument were made of:
+/// for all it knows they may have changed here, in memory, where they are floats. Costs nothing if they lie there.
+template <class T, class... Arguments>
+RAIO_FN constexpr void keep_as_stored([[maybe_unused]] const Arguments&... arguments) {
+#if defined(__GNUC__) && __GNUC__ < 14 && !defined(__clang__) && !defined(__CUDA_ARCH__)
+    if constexpr (std::same_as<T, float>) {
+        if (std::is_constant_evaluated()) return;
+        (..., [](const Arguments& argument) { asm("" : "+m"(const_cast<Arguments&>(argument))); }(arguments));
+    }
+#endif
+}
+
 }  // namespace detail
 
 /// A double that is never contracted. Converts from every built-in number, and back only when told to.
