@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <string>
 #include <tuple>
 
 #include "shape_readings.hpp"
@@ -27,14 +29,23 @@ shape read_bezier_curve(tokens& in, int) {
     return kept(curve);
 }
 
+template <std::size_t Degree>
 shape read_surface_of_revolution(tokens& in, int) {
-    raio::surface_of_revolution<number> surface{
+    raio::surface_of_revolution<number, Degree> surface{
         vector(in, "the base of a surface of revolution"), direction(in, "the axis of a surface of revolution"), {}};
     surface.profile = section(in, "points of a profile", [&] {
         const number radius = in.expect_number("the radius of a profile's point", not_negative);
         return vec2{radius, in.expect_number("the height of a profile's point")};
     });
-    if (!(surface.area() > 0)) in.fail("a profile that sweeps no area", "two points or more, not all on the axis");
+    if constexpr (Degree == 1) {
+        if (!(surface.area() > 0)) in.fail("a profile that sweeps no area", "two points or more, not all on the axis");
+    } else {
+        const std::size_t points = surface.profile.size();
+        if (points < 4 || points % 3 != 1) in.fail(std::to_string(points) + " points", "4, and 3 for each curve more");
+        if (std::ranges::all_of(surface.profile, [](const vec2& p) { return p.x == 0; })) {
+            in.fail("a profile that sweeps no area", "points that are not all on the axis");
+        }
+    }
     return kept(std::move(surface));
 }
 
@@ -71,7 +82,8 @@ shape_readings shapes_about_an_axis() {
         {"open_two_sheet_hyperboloid",
          upright<raio::open_two_sheet_hyperboloid<number>>("a hyperboloid", point{"base"}, point{"top"},
                                                            measure{"gap", inner_fraction}, measure{"end radius"})},
-        {"surface_of_revolution", read_surface_of_revolution},
+        {"surface_of_revolution", read_surface_of_revolution<1>},
+        {"curved_surface_of_revolution", read_surface_of_revolution<3>},
     };
 }
 

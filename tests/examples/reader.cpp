@@ -223,6 +223,11 @@ TEST_CASE("shapes are read as the fields that raio has") {
     CHECK(pot.occluded(ray{{-8, 4, 0}, {1, 0, 0}}, 7, 7));
     CHECK_FALSE(pot.occluded(ray{{-8, 4.5, 0}, {1, 0, 0}}, 0, 100));
 
+    const auto dish =
+        only_shape<raio::any_primitive<number>>("curved_surface_of_revolution 0 1 0  0 2 0  4  0 0  1 0  2 3  3 9");
+    CHECK(dish.occluded(ray{{-8, 9, 0}, {1, 0, 0}}, 6, 6));
+    CHECK_FALSE(dish.occluded(ray{{-8, 0.5, 0}, {1, 0, 0}}, 0, 100));
+
     const auto ring = only_shape<raio::any_primitive<number>>("ring 0 1 0  0 2 0  1 3");
     CHECK(ring.occluded(ray{{2, 0, 0}, {0, 1, 0}}, 1, 1));
     CHECK_FALSE(ring.occluded(ray{{0.5, 0, 0}, {0, 1, 0}}, 0, 10));

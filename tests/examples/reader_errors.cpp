@@ -25,7 +25,7 @@ std::string repeated(std::string_view words, int times) {
 
 const std::string many_digits(300, '9'), long_word(1'000'000, 'x');
 const std::string shapes =
-    "a shape: algebraic, bezier_curve, bilinear_patch, blob, box, capsule, circle, cone, cylinder, difference, disc, ellipsoid, "
+    "a shape: algebraic, bezier_curve, bilinear_patch, blob, box, capsule, circle, cone, curved_surface_of_revolution, cylinder, difference, disc, ellipsoid, "
     "frustum, heightfield, hyperboloid, intersection, mesh, open_algebraic, open_cone, open_cylinder, "
     "open_frustum, open_hyperboloid, open_paraboloid, open_quadric, open_two_sheet_hyperboloid, oriented_box, "
     "paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, round_cone, "
@@ -262,6 +262,12 @@ const bad_scene bad_objects[] = {
     {"a profile on the axis",
      {.objects = "1 0 0 surface_of_revolution 0 0 0 0 1 0 2 0 0 0 1"},
      "5: found a profile that sweeps no area, expected two points or more, not all on the axis"},
+    {"a curved profile of five points",
+     {.objects = "1 0 0 curved_surface_of_revolution 0 0 0 0 1 0 5 0 0 1 0 1 1 0 1 0 2"},
+     "5: found 5 points, expected 4, and 3 for each curve more"},
+    {"a curved profile on the axis",
+     {.objects = "1 0 0 curved_surface_of_revolution 0 0 0 0 1 0 4 0 0 0 1 0 2 0 3"},
+     "5: found a profile that sweeps no area, expected points that are not all on the axis"},
     {"a box inside out",
      {.objects = "1 0 0 box 0 0 0 1 -1 1"},
      "5: found a minimum above the maximum of a box, expected the lesser coordinates first"},

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <raio/math/bezier.hpp>
+#include <raio/revolved_crossing.hpp>
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/ring.hpp>
 
@@ -81,40 +83,103 @@ struct revolved_segment {
     }
 };
 
+/// What one cubic Bezier segment of a profile sweeps.
+template <real T>
+struct revolved_curve {
+    using number = T;
+
+    vec3<T> base, axis;
+    vec2<T> p0, p1, p2, p3;  ///< control points, (radius, height)
+
+    template <class W, real R>
+    RAIO_FN constexpr crossing_list<W, 12> crossings(const ray<R>& ray) const {
+        crossing_list<W, 12> list;
+        const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x)), least = min(min(p0.x, p1.x), min(p2.x, p3.x));
+        const T low = min(min(p0.y, p1.y), min(p2.y, p3.y)), high = max(max(p0.y, p1.y), max(p2.y, p3.y));
+        const vec3<W> a(axis);
+        const W unit = length(a), middle = (W(low) + W(high)) * W(0.5);
+        const bool sound = least >= T(0) && is_finite(base) && is_finite(p0.x + p1.x + p2.x + p3.x) &&
+                           is_finite(p0.y + p1.y + p2.y + p3.y);
+        if (!sound || !(unit > W(0)) || !is_finite(bound_t<W>(unit))) return list;
+        const W reach = W(widest) + (W(high) - W(low)) * (W(0.5) * unit);
+        const auto part = part_near(ray, base, vec3<W>(base) + a * middle, reach);
+        list.certain = part.certain;
+        if (!part.exists) return list;
+        list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
+        start_at_origin(list);
+        return list;
+    }
+
+    template <class W, real R, real N>
+    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        using Q = quick_t<N>;
+        const auto curve = beside_axis<W>();
+        const W s = c.uv.x;
+        vec3<W> p = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;
+        const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x));
+        const T high = max(max(abs(p0.y), abs(p1.y)), max(abs(p2.y), abs(p3.y)));
+        const T size = widest + norm1(axis) * high;
+        vec3<W> outward = outward_normal(curve, s, p);
+        record_gradient(ray, c, outward, size, rec);
+        rec.error +=
+            vec3<T>(T(0x1p-60) * size);  // from where on a crossing is certain, of a radius of 2^-20 of the size
+        const frame<Q> f = frame_about(vec3<Q>(curve.axis));
+        vec3<Q> beside(p - curve.axis * dot(p, curve.axis));
+        rec.uv = {turns(T(dot(beside, f.y)), T(dot(beside, f.x))), max(T(0), min(T(1), T(s)))};
+    }
+
+private:
+    template <class W>
+    RAIO_FN constexpr curve_beside_axis<W> beside_axis() const {
+        vec3<W> a(axis);
+        W unit = length(a);
+        polynomial<W, 3> radius = bezier_polynomial<W>(p0.x, p1.x, p2.x, p3.x);
+        polynomial<W, 3> height = bezier_polynomial<W>(p0.y, p1.y, p2.y, p3.y);
+        radius.coefficient[0] = W(p0.x), height.coefficient[0] = W(p0.y);
+        return {radius, product<3>(height, constant(unit, 4)), a * (W(1) / unit)};
+    }
+};
+
 }  // namespace detail
 
-/// What a polyline sweeps that turns about an axis: goblets, vases, whatever comes from a lathe.
+/// What a line of points sweeps that turns about an axis: goblets, vases, whatever comes from a lathe. The points are
+/// those of a polyline, or the control points of cubic Bezier segments, every third of which lies on the curve.
 ///
-/// Each of its segments sweeps the side of a frustum, or a ring where it runs across the axis; the nearest of them is
-/// hit. Neighbours share their rims, so that no ray slips through between them. `hit_record::index` is the segment. The
-/// front is the side away from the axis, and of a ring the side that the axis points to.
+/// A straight segment sweeps the side of a frustum, or a ring where it runs across the axis, a curved one what
+/// revolved_crossing.hpp says; the nearest of them is hit. (Where a curved one meets the axis, 106 bits cannot tell it
+/// from 2^-40 of its size beside it.) Neighbours share their rims, so that no ray slips through
+/// between them. `hit_record::index` is the segment. The front is the side away from the axis, and of what runs across
+/// the axis the side that the axis points to.
 ///
 /// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v goes from 0 at the first point to 1 at
 /// the last, every segment an equal part of it.
-template <real T>
+/// \tparam Degree  1 for a polyline, 3 for cubic Bezier segments
+template <real T, std::size_t Degree = 1>
 struct surface_of_revolution {
+    static_assert(Degree == 1 || Degree == 3);
+
     using number = T;
 
     vec3<T> base;                  ///< the point of the axis at height 0
     vec3<T> axis;                  ///< of any length but zero: the unit of heights
-    std::vector<vec2<T>> profile;  ///< (radius, height) of at least two points; no radius below 0
+    std::vector<vec2<T>> profile;  ///< (radius, height) of 1 + n Degree points, n >= 1; no radius below 0
 
     mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
         bool found = false;
-        for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+        for (std::size_t i = 0; i < segments(); ++i) {
             hit_record<T> candidate;
             if (!first_hit(segment(i), ray, t_min, found ? rec.t : t_max, candidate)) continue;
             if (found && !(candidate.t < rec.t)) continue;
             rec = candidate;
             rec.index = static_cast<index_t<T>>(i);
-            rec.uv.y = (T(static_cast<double>(i)) + rec.uv.y) / T(static_cast<double>(profile.size() - 1));
+            rec.uv.y = (T(static_cast<double>(i)) + rec.uv.y) / T(static_cast<double>(segments()));
             found = true;
         }
         return found;
     }
 
     mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+        for (std::size_t i = 0; i < segments(); ++i) {
             if (any_hit(segment(i), ray, t_min, t_max)) return true;
         }
         return false;
@@ -122,36 +187,53 @@ struct surface_of_revolution {
 
     aabb<T> bounds() const {
         aabb<T> box;
-        if (profile.size() < 2) return box;
+        if (segments() == 0) return box;
         for (const vec2<T>& end : profile) {
             const vec3<T> center = base + axis * end.y;
             const T rounding = (norm1(base) + norm1(axis) * abs(end.y)) * T(4 * unit_roundoff<T>);
             const vec3<T> reach = disc_reach(axis, end.x) + vec3<T>(rounding);
             box = hull(box, padded(aabb<T>{center - reach, center + reach}));
         }
+        if constexpr (Degree > 1) {
+            vec3<T> blur(T(0x1p-40) * norm1(vec3<T>(box.max - box.min)));
+            box = {box.min - blur, box.max + blur};
+        }
         return box;
     }
 
-    T area() const {
+    T area() const requires(Degree == 1) {
         T sum(0);
-        for (std::size_t i = 0; i + 1 < profile.size(); ++i) sum += segment(i).area();
+        for (std::size_t i = 0; i < segments(); ++i) sum += segment(i).area();
         return sum;
     }
 
     /// u.x chooses the segment, and what is left of it is the angle.
-    surface_sample<T> sample(const vec2<T>& u) const {
+    surface_sample<T> sample(const vec2<T>& u) const requires(Degree == 1) {
         T left = u.x * area();
-        for (std::size_t i = 0; i + 2 < profile.size(); ++i) {
+        for (std::size_t i = 0; i + 1 < segments(); ++i) {
             const T own = segment(i).area();
             if (left < own) return segment(i).sample({left / own, u.y});
             left -= own;
         }
-        const auto last = segment(profile.size() - 2);
+        const auto last = segment(segments() - 1);
         return last.sample({min(left / last.area(), T(1 - unit_roundoff<T>)), u.y});
     }
 
 private:
-    detail::revolved_segment<T> segment(std::size_t i) const { return {base, axis, profile[i], profile[i + 1]}; }
+    std::size_t segments() const { return profile.empty() ? 0 : (profile.size() - 1) / Degree; }
+
+    auto segment(std::size_t i) const {
+        if constexpr (Degree == 1) {
+            return detail::revolved_segment<T>{base, axis, profile[i], profile[i + 1]};
+        } else {
+            const vec2<T>* p = &profile[3 * i];
+            return detail::revolved_curve<T>{base, axis, p[0], p[1], p[2], p[3]};
+        }
+    }
 };
+
+/// Of cubic Bezier segments.
+template <real T>
+using curved_surface_of_revolution = surface_of_revolution<T, 3>;
 
 }  // namespace raio
