@@ -49,11 +49,13 @@ private:
 };
 
 /// How many rays the comparisons with the oracle send. The answers are the same bits from every compiler, and
-/// sanitizers are slow: one compiler sends them all, others a part of them.
-#if defined(__SANITIZE_ADDRESS__)
+/// sanitizers are slow: one compiler sends them all, others a part of them. -DRAIO_TEST_RAYS=N sends N.
+#if defined(RAIO_TEST_RAYS)
+inline constexpr int normal_run = RAIO_TEST_RAYS;
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr int normal_run = 5'000;
 #elif defined(__has_feature)
-inline constexpr int normal_run = __has_feature(address_sanitizer) ? 5'000 : 20'000;
+inline constexpr int normal_run = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) ? 5'000 : 20'000;
 #else
 inline constexpr int normal_run = 100'000;
 #endif
