@@ -59,10 +59,13 @@ RAIO_FN constexpr aabb<T> padded(const aabb<T>& box) {
 }
 
 /// How far a disc reaches along each axis: the radius times the sine of the angle between the axis and the normal.
+/// Nowhere, if there is no normal.
 template <real T>
 RAIO_FN constexpr vec3<T> disc_reach(const vec3<T>& normal, const T& radius) {
-    vec3<T> n = normalize(normal), n2 = n * n;
-    return vec3<T>(sqrt(n2.y + n2.z), sqrt(n2.z + n2.x), sqrt(n2.x + n2.y)) * (radius * T(1 + 8 * unit_roundoff<T>));
+    vec3<T> n = scaled_into_range<T>(normal), n2 = n * n;
+    const T over = quotient(T(1), n2.x + n2.y + n2.z, T(0));
+    vec3<T> sines(sqrt((n2.y + n2.z) * over), sqrt((n2.z + n2.x) * over), sqrt((n2.x + n2.y) * over));
+    return sines * (radius * T(1 + 8 * unit_roundoff<T>));
 }
 
 /// The everything box, of shapes without end.

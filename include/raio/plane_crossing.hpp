@@ -1,6 +1,7 @@
 #pragma once
 
 #include <raio/crossing.hpp>
+#include <raio/hit_record.hpp>
 
 namespace raio {
 
@@ -60,6 +61,18 @@ RAIO_FN constexpr crossing_about<W> cross_plane_about(const vec3<T>& center, con
     vec3<W> step = d * c.t, from_center = l + step;
     E off = norm1(vec3<E>(d)) * c.error + E(3 * unit_roundoff<W>) * (norm1(vec3<E>(l)) + norm1(vec3<E>(step)));
     return {c, dot(from_center, from_center), off * (E(2) * norm1(vec3<E>(from_center)) + off)};
+}
+
+/// Puts the recorded point onto its plane if that runs across an axis, as bounds without a thickness expect it: one
+/// coordinate is known then, that of any other point of the plane.
+template <real T, real N>
+RAIO_FN constexpr void put_onto_plane(const vec3<T>& normal, const vec3<T>& on_plane, hit_record<T, N>& rec) {
+    const auto put = [](const T& n_j, const T& n_k, const T& known, T& p) {
+        p = select(every(n_j == T(0), n_k == T(0)), known, p);
+    };
+    put(normal.y, normal.z, on_plane.x, rec.point.x);
+    put(normal.z, normal.x, on_plane.y, rec.point.y);
+    put(normal.x, normal.y, on_plane.z, rec.point.z);
 }
 
 }  // namespace raio

@@ -1,4 +1,5 @@
 #include <raio/compose/transformed.hpp>
+#include <raio/shape/torus.hpp>
 
 #include "support/trees.hpp"
 
@@ -108,6 +109,24 @@ TEST_CASE_TEMPLATE("bvh: shapes all in one place, one within the other, in a row
         check_like(bvh(std::span<const sphere<T>>(equal), {.quality = quality}), group{equal}, random, 1000);
         check_like(bvh(std::span<const sphere<T>>(nested), {.quality = quality}), group{nested}, random, 1000);
         check_like(bvh(std::span<const box<T>>(flat), {.quality = quality}), group{flat}, random, 1000);
+    }
+}
+
+TEST_CASE_TEMPLATE("bvh: shapes without a size, an area or a direction are missed, and have bounds", T, float, double) {
+    const std::vector<sphere<T>> points(100, sphere<T>{{0, 0, 0}, 0});
+    const vec3<T> zero(0);
+    const std::vector<disc<T>> discs(100, disc<T>{zero, zero, 1});
+    const std::vector<torus<T>> tori(100, torus<T>{zero, zero, 2, 1});
+    const auto check_missed = [](auto tree, const auto& shapes) {
+        CHECK(std::isfinite(tree.cost()));
+        tree.refit(shapes);
+        CHECK(std::isfinite(tree.cost()));
+        CHECK(!tree.occluded({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>));
+    };
+    for (const bvh_quality quality : qualities) {
+        check_missed(bvh(std::span<const sphere<T>>(points), {.quality = quality}), points);
+        check_missed(bvh(std::span<const disc<T>>(discs), {.quality = quality}), discs);
+        check_missed(bvh(std::span<const torus<T>>(tori), {.quality = quality}), tori);
     }
 }
 

@@ -190,6 +190,26 @@ TEST_CASE_TEMPLATE("bilinear_patch: uv", T, float, double) {
     CHECK(uv({a, b, a, c}, 0.5, 0.25) == vec2<T>(0.5, 0.5));
 }
 
+TEST_CASE_TEMPLATE("bilinear_patch: in a corner without an edge a flat patch has the plane's normal, on both sides", T,
+                   float, double) {
+    const vec3<T> a(0, 0, 0), c(1, 1, 0), d(0, 1, 0);
+    for (const bilinear_patch<T>& patch : {bilinear_patch<T>{a, a, d, c}, bilinear_patch<T>{a, a, c, d}}) {
+        for (const T side : {T(1), T(-1)}) {
+            hit_record<T> rec;
+            REQUIRE(patch.hit({{-3, -2, 4 * side}, {3, 2, -4 * side}}, T(0), infinity<T>, rec));
+            CHECK(rec.normal == vec3<T>(0, 0, side));
+        }
+    }
+}
+
+TEST_CASE("bilinear_patch: so slender that doubles take it for a line, it is hit with a normal against the ray") {
+    const float thin = 0x1p-133f, least = 0x1p-127f;
+    const bilinear_patch<float> patch{{thin, 5, 0}, {0, 0, 0}, {0, least, 0}, {0, 0, 0}};
+    hit_record<float> rec;
+    REQUIRE(patch.hit({{thin, least, 1}, {-thin, -least, -1}}, 0.0f, infinity<float>, rec));
+    CHECK(unsound_fields(rec) == "");
+}
+
 /// A cube with its corners moved about: six patches that share edges and corners.
 template <class T>
 std::vector<bilinear_patch<T>> crooked_cube(random_numbers& random) {

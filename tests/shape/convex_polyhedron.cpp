@@ -57,6 +57,12 @@ TEST_CASE_TEMPLATE("convex_polyhedron: named cases", T, float, double) {
     });
 }
 
+TEST_CASE_TEMPLATE("convex_polyhedron: a face across an axis has one coordinate, and no rounding moves points off", T,
+                   float, double) {
+    check_face_across_x(convex_polyhedron<T>{
+        {{{3, 0, 0}, 0}, {{-1, 0, 0}, -1}, {{0, 1, 0}, -1}, {{0, -1, 0}, -1}, {{0, 0, 1}, -1}, {{0, 0, -1}, -1}}});
+}
+
 TEST_CASE_TEMPLATE("convex_polyhedron: properties of every shape", T, float, double) {
     check_properties<convex_polyhedron<T>>();
 }

@@ -35,6 +35,11 @@ TEST_CASE_TEMPLATE("disc: named cases", T, float, double) {
     });
 }
 
+TEST_CASE_TEMPLATE("disc: across an axis its points have one coordinate, and no rounding moves them off", T, float,
+                   double) {
+    check_face_across_x(disc<T>{{0, 0, 0}, {2, 0, 0}, 1});
+}
+
 TEST_CASE_TEMPLATE("disc: properties of every shape", T, float, double) { check_properties<disc<T>>(); }
 
 TEST_CASE_TEMPLATE("disc: as exact arithmetic", T, float, double) {

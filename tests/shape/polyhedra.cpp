@@ -163,6 +163,7 @@ TEST_CASE_TEMPLATE("polyhedra: what has no inside is missed", T, float, double) 
     check_missed(prism(std::array{zero, x, y}, x));
     check_missed(prism(std::array{zero, x, y}, zero));
     check_missed(tetrahedron(zero, x, y, z * nan));
+    check_missed(tetrahedron(x * nan, x, x, z));
     check_missed(oriented_box(zero, x, y, z * infinity<T>));
     check_missed(regular_solid<8>(zero, T(-1)));
     check_missed(regular_solid<20>(zero, nan));

@@ -128,6 +128,8 @@ TEST_CASE_TEMPLATE("signed_distance: named cases", T, float, double) {
     // What is not in the box is not there; what is twice as steep needs the bound that says so.
     CHECK(t_of(signed_distance{aabb<T>{vec3<T>(2), vec3<T>(3)}, tolerance, T(1), ball<T>{{0, 0, 0}, 1}}, ahead) ==
           T(-1));
+    CHECK(t_of(signed_distance{aabb<T>{{-2, -2, 0}, {2, 2, 2}}, tolerance, T(1), ball<T>{{0, 0, 0}, 1}}, ahead, 4.5) ==
+          about(5));  // and ends there
     const auto steep = [](const vec3<T>& p) { return 2 * (std::abs(p.z) - T(0.5)); };
     CHECK(t_of(signed_distance{box, tolerance, T(2), steep}, ahead) == about(4.5));
     CHECK(t_of(signed_distance{box, T(0), T(1), ball<T>{{0, 0, 0}, 1}}, ahead) == T(-1));

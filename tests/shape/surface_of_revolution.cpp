@@ -179,6 +179,11 @@ TEST_CASE_TEMPLATE("surface of revolution: closed where its profile begins and e
     }
 }
 
+TEST_CASE_TEMPLATE("surface of revolution: a ring across an axis has one coordinate, and no rounding moves points off",
+                   T, float, double) {
+    check_face_across_x(surface_of_revolution<T>{{1, 0, 0}, {2, 0, 0}, {{0, -0.5}, {1, -0.5}}});
+}
+
 TEST_CASE_TEMPLATE("surface of revolution: uv and area, and points that lie on it", T, float, double) {
     const surface_of_revolution<T> cup = goblet<T>();
     const frame<T> f = frame_about(vec3<T>(0, 1, 0));
@@ -397,7 +402,8 @@ TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, float
         REQUIRE((rec.uv.x >= 0 && rec.uv.x <= 1 && rec.uv.y >= 0 && rec.uv.y <= 1));
     }
     CHECK(hits > rays / 4);
-    CHECK(undecided < rays / 50);
+    const double expected = rays / 50.0;  // in a short run chance has its share
+    CHECK(undecided < expected + 3 * std::sqrt(expected));
 }
 
 TEST_CASE("curved surface of revolution: as many straight segments") {

@@ -224,7 +224,7 @@ private:
                 sum += static_cast<double>(box.half_area() * weight);
             }
         }
-        if (!nodes.empty()) cost = 1 + sum / static_cast<double>(boxes[0].half_area());
+        if (!nodes.empty()) cost = 1 + quotient(sum, static_cast<double>(boxes[0].half_area()), 0.0);
     }
 
     std::array<std::uint32_t, kind_count> first_id_{};

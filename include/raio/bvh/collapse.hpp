@@ -3,6 +3,7 @@
 #include <raio/bvh/binary_tree.hpp>
 #include <raio/bvh/parallel.hpp>
 #include <raio/bvh/wide_node.hpp>
+#include <raio/math/real.hpp>
 
 /// \file
 /// The wide tree out of the binary one, of all that could be made of it the one of least cost.
@@ -34,7 +35,9 @@ struct leaf_range {
 struct wide_tree {
     std::vector<wide_node> nodes;                 ///< the root is node 0
     std::vector<std::vector<leaf_range>> leaves;  ///< of each kind
-    double cost = 0;  ///< of a ray through the box of all: the surface area heuristic, a node counting 1
+    /// Of a ray through the box of all: the surface area heuristic, a node counting 1. The root alone
+    /// counts if that box has no area.
+    double cost = 0;
 };
 
 class collapser {
@@ -47,7 +50,7 @@ public:
         parallel_for(tree.parts.size() - 1, threads, [&](std::size_t i) { find_costs(tree.parts[i + 1]); });
         find_costs(tree.parts[0]);
         emit();
-        wide_.cost = static_cast<double>(cost_[0][0]) / static_cast<double>(area(0));
+        wide_.cost = quotient(static_cast<double>(cost_[0][0]), static_cast<double>(area(0)), 1.0);
     }
 
     wide_tree take() { return std::move(wide_); }

@@ -67,7 +67,9 @@ struct bilinear_patch {
         if (norm1(outward) <= Q(0x1p12 * unit_roundoff<Q>) * (norm1(aw) + norm1(at_u) + norm1(at_v))) {
             const auto larger = [](const vec3<Q>& x, const vec3<Q>& y) { return norm1(x) < norm1(y) ? y : x; };
             outward = larger(aw, larger(at_u, at_v));
-            outward = outward * copysign(Q(at.entering ? -1 : 1), dot(outward, direction));
+            // Of a patch so slender that Q takes it for a line, the normal is against the ray.
+            if (norm1(outward) == Q(0)) outward = direction;
+            outward = outward * (copysign(Q(1), dot(outward, direction)) * Q(at.entering ? -1 : 1));
         }
         vec3<Q> facing = normalize_from<T>(outward) * Q(at.entering ? 1 : -1);
         // Where rounding has turned it along the ray, it is mirrored.

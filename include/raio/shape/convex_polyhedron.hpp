@@ -87,8 +87,12 @@ struct convex_polyhedron {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal_of(c.face))));
+        const half_space<T> plane = plane_of(c.face);
+        const vec3<T>& n = plane.normal;
+        vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(n)));
         record_point(ray, c, rec);
+        const auto axis_at = [&](const T& n_i) { return quotient(-plane.offset, n_i, T(0)); };
+        put_onto_plane(n, {axis_at(n.x), axis_at(n.y), axis_at(n.z)}, rec);
         rec.normal = outward * select(c.entering, N(1), N(-1));
         vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point);
         rec.uv = {fraction(local.x), fraction(local.y)};
@@ -99,17 +103,18 @@ private:
 
     /// Of the lanes of a pack each may have met another face.
     template <class Index>
-    RAIO_FN constexpr vec3<T> normal_of(const Index& face) const {
+    RAIO_FN constexpr half_space<T> plane_of(const Index& face) const {
         if constexpr (requires { planes[face]; }) {
-            return planes[face].normal;
+            return planes[face];
         } else {
-            vec3<T> normal(T(0));
+            half_space<T> met{vec3<T>(T(0)), T(0)};
             Index index(0);
             for (const half_space<T>& plane : planes) {
-                normal = select(face == index, plane.normal, normal);
+                const auto is_met = face == index;
+                met = {select(is_met, plane.normal, met.normal), select(is_met, plane.offset, met.offset)};
                 index = index + Index(1);
             }
-            return normal;
+            return met;
         }
     }
 

@@ -66,6 +66,7 @@ struct ring {
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal)));
         record_point(ray, c, rec);
+        put_onto_plane(normal, center, rec);
         rec.normal = outward * select(c.entering, N(1), N(-1));
         vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - center);
         const T rho = sqrt(local.x * local.x + local.y * local.y);
