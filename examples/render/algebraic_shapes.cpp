@@ -62,7 +62,10 @@ shape read_teardrop(tokens& in, int) {
 shape read_blob(tokens& in, int) {
     raio::blob<number, 16> blob{{}, in.expect_number("the threshold of a blob", positive)};
     const auto components = section(in, "components of a blob", [&] {
+        const bool is_capsule = in.peek() == "capsule";
+        if (is_capsule) in.expect_word("a capsule");
         raio::metaball<number> m{vector(in, "the centre of a blob's component"), {}};
+        if (is_capsule) m.axis = vector(in, "the other end of a blob's capsule") - m.center;
         m.radius = in.expect_number("the radius of a blob's component", positive);
         m.strength = in.expect_number("the strength of a blob's component");
         return m;

@@ -209,6 +209,7 @@ TEST_CASE("shapes are read as the fields that raio has") {
 
     CHECK(same(solid("steiner 1 0 1  9", {{8, 7, 8}, {-1, -1, -1}}), {{4, 7}}));
     CHECK(same(solid("blob 0.5625 2  0 -3 0 2 1  0 3 0 2 1", up), {{4, 6}, {10, 12}}));
+    CHECK(same(solid("blob 0.5625 2  capsule 0 -3 0  0 1 0  2 1  0 6 0 2 1", up), {{4, 10}, {13, 15}}));
     CHECK(same(solid("teardrop 0 -1 0  0 3 0  1", up), {{7, 11}}));
 
     const auto saddle =

@@ -18,6 +18,7 @@ template <class T, class Visit>
 void for_each_number(std::array<metaball<T>, 8>& components, Visit visit) {
     for (std::size_t i = 0; i < 3; ++i) {
         for_each_number(components[i].center, visit), visit(components[i].radius), visit(components[i].strength);
+        for_each_number(components[i].axis, visit);
     }
 }
 
@@ -25,8 +26,9 @@ template <class T>
 std::string literal(const std::array<metaball<T>, 8>& components) {
     std::string text;
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto& [center, radius, strength] = components[i];
-        text += (text.empty() ? "{" : ", ") + braced(literal(center), literal(radius), literal(strength));
+        const auto& [center, radius, strength, axis] = components[i];
+        text +=
+            (text.empty() ? "{" : ", ") + braced(literal(center), literal(radius), literal(strength), literal(axis));
     }
     return text + "}";
 }
@@ -35,8 +37,8 @@ template <class U, class T>
 blob<U> converted(const blob<T>& s) {
     blob<U> result{{}, U(s.threshold)};
     for (std::size_t i = 0; i < 8; ++i) {
-        result.components[i] = {vec3<U>(s.components[i].center), U(s.components[i].radius),
-                                U(s.components[i].strength)};
+        result.components[i] = {vec3<U>(s.components[i].center), U(s.components[i].radius), U(s.components[i].strength),
+                                vec3<U>(s.components[i].axis)};
     }
     return result;
 }

@@ -7,12 +7,14 @@
 
 namespace raio {
 
-/// A part of a blob: a ball with a field that falls from `strength` in the centre to nothing at `radius`.
+/// A part of a blob: a ball or a capsule with a field that falls from `strength` in the centre, or on the axis, to
+/// nothing at `radius`.
 template <real T>
 struct metaball {
     vec3<T> center;
-    T radius;       ///< how far the field reaches; of no effect if it is zero
-    T strength{1};  ///< what is below zero takes away from the others
+    T radius;            ///< how far the field reaches; of no effect if it is zero
+    T strength{1};       ///< what is below zero takes away from the others
+    vec3<T> axis{T(0)};  ///< of a capsule: from the centre to that of its other end
 };
 
 /// The points where the fields of its components add up to the threshold, or to more: balls that melt into each other
@@ -21,9 +23,10 @@ struct metaball {
 ///
 ///     sum of strength (1 - d^2 / radius^2)^2  over all whose centre is at a distance d < radius,  >=  threshold
 ///
-/// The line enters and leaves the ball of each component. Between two neighbours of these places, in order, the field
-/// is one polynomial of degree 4, whose roots are isolated. At the places themselves the polynomials on both sides have
-/// the same value and slope, so that it does not matter how they were rounded.
+/// and of a capsule all whose axis is. The line enters and leaves each component, and of a capsule it goes on from one
+/// round end to the side, and to the other end. Between two neighbours of these places, in order, the field is one
+/// polynomial of degree 4, whose roots are isolated. At the places themselves the polynomials on both sides have the
+/// same value and slope, so that it does not matter how they were rounded.
 ///
 /// uv: x and y of the point, from 0 to 1 across the bounds.
 /// \tparam Most  how many components there may be; those that are not named have no effect
@@ -48,7 +51,10 @@ struct blob {
     RAIO_FN constexpr aabb<T> bounds() const {
         aabb<T> all;
         for (const metaball<T>& m : components) {
-            if (has_effect(m)) all = hull(all, aabb<T>{m.center - vec3<T>(m.radius), m.center + vec3<T>(m.radius)});
+            if (!has_effect(m)) continue;
+            for (const vec3<T>& end : {m.center, m.center + m.axis}) {
+                all = hull(all, aabb<T>{end - vec3<T>(m.radius), end + vec3<T>(m.radius)});
+            }
         }
         return padded(padded(all));
     }
@@ -58,7 +64,7 @@ struct blob {
     RAIO_FN constexpr W field(const vec3<W>& p) const {
         W sum(0);
         for (const metaball<T>& m : components) {
-            const W within = has_effect(m) ? depth(m, p) : W(0);
+            const W within = has_effect(m) ? depth(m, from_axis(m, p)) : W(0);
             if (within > W(0)) sum += W(m.strength) * within * within;
         }
         return sum;
@@ -66,7 +72,7 @@ struct blob {
 
     template <class W, real R>
     RAIO_FN constexpr auto crossings(const ray<R>& ray) const {
-        crossing_list<W, 8 * Most> list;
+        crossing_list<W, most_crossings> list;
         const aabb<T> box = bounds();
         if (!is_sound() || !(box.min.x < box.max.x)) return list;
         const vec3<T> base = box.min + (box.max - box.min) / T(2);
@@ -74,16 +80,17 @@ struct blob {
         list.certain = part.certain;
         if (!part.exists) return list;
 
-        std::array<piece<W>, Most> pieces{};
-        std::array<W, 2 * Most> ends{};
+        std::array<piece<W>, 3 * Most> pieces;
+        std::array<W, 6 * Most> ends;
         std::size_t count = 0, end_count = 0;
         for (const metaball<T>& m : components) {
             if (!has_effect(m)) continue;
-            const piece<W> p = through(m, part, vec3<W>(base));
-            if (!(p.from < p.to)) continue;
-            pieces[count++] = p;
-            insert(ends, end_count, p.from);
-            insert(ends, end_count, p.to);
+            for_each_piece(m, part, vec3<W>(base), [&](const piece<W>& p) {
+                if (!(p.from < p.to)) return;
+                pieces[count++] = p;
+                insert(ends, end_count, p.from);
+                insert(ends, end_count, p.to);
+            });
         }
 
         walk<W> along{part, list};
@@ -111,10 +118,10 @@ struct blob {
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t, outwards(W(0));
         for (const metaball<T>& m : components) {
-            const W within = has_effect(m) ? depth(m, p) : W(0);
-            if (!(within > W(0))) continue;
-            W r(m.radius);
-            outwards += (p - vec3<W>(m.center)) * (W(m.strength) * within / (r * r));
+            if (!has_effect(m)) continue;
+            const vec3<W> beside = from_axis(m, p);
+            const W within = depth(m, beside), r(m.radius);
+            if (within > W(0)) outwards += beside * (W(m.strength) * within / (r * r));
         }
         const aabb<T> box = bounds();
         vec3<T> size = box.max - box.min;
@@ -124,7 +131,10 @@ struct blob {
     }
 
 private:
-    /// What one component adds to the field, between the ends of its ball.
+    /// Four roots of each polynomial, and one polynomial less than there are ends.
+    static constexpr std::size_t most_crossings = 24 * Most;
+
+    /// What one component, or a part of it, adds to the field, between the ends of its ball.
     template <class W>
     struct piece {
         W from, to;
@@ -136,7 +146,7 @@ private:
     template <class W>
     struct walk {
         const line_part<W>& part;
-        crossing_list<W, 8 * Most>& list;
+        crossing_list<W, most_crossings>& list;
         int sign = 1;  ///< of threshold - field
         bool is_open = false;
         polynomial_root<W> open{};
@@ -172,38 +182,91 @@ private:
     RAIO_FN constexpr bool is_sound() const {
         bool sound = threshold > T(0) && is_finite(threshold);
         for (const metaball<T>& m : components) {
-            sound = sound && is_finite(m.center) && m.radius >= T(0) && is_finite(m.radius) && is_finite(m.strength);
+            sound = sound && is_finite(m.center) && is_finite(m.axis) && m.radius >= T(0) && is_finite(m.radius) &&
+                    is_finite(m.strength);
         }
         return sound;
     }
 
-    /// 1 in the centre, 0 at the radius.
+    /// The point as seen from the nearest one of the centre or the axis.
     template <class W>
-    RAIO_FN static constexpr W depth(const metaball<T>& m, const vec3<W>& p) {
-        const vec3<W> from_center = (p - vec3<W>(m.center)) / W(m.radius);
-        return W(1) - dot(from_center, from_center);
+    RAIO_FN static constexpr vec3<W> from_axis(const metaball<T>& m, const vec3<W>& p) {
+        vec3<W> axis(m.axis), from_center = p - vec3<W>(m.center);
+        W height = quotient(dot(from_center, axis), dot(axis, axis), W(0));
+        return from_center - axis * max(W(0), min(W(1), height));
     }
 
+    /// 1 in the centre, 0 at the radius.
     template <class W>
-    RAIO_FN static constexpr piece<W> through(const metaball<T>& m, const line_part<W>& part, const vec3<W>& base) {
+    RAIO_FN static constexpr W depth(const metaball<T>& m, const vec3<W>& from_axis) {
+        const vec3<W> v = from_axis / W(m.radius);
+        return W(1) - dot(v, v);
+    }
+
+    template <class W, class Visit>
+    RAIO_FN static constexpr void for_each_piece(const metaball<T>& m, const line_part<W>& part, const vec3<W>& base,
+                                                 Visit visit) {
+        vec3<W> axis(m.axis), to_base = base - vec3<W>(m.center);
         const auto over_radius = constant(W(1) / W(m.radius), 2);
-        vec3<W> from_center = part.from + (base - vec3<W>(m.center)), moment = cross(from_center, part.along);
+        const auto coordinates = [&](const vec3<W>& shift) {
+            std::array<polynomial<W, 1>, 3> p;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto k = static_cast<glm::length_t>(i);
+                p[i] = part.coordinate(k) + product<1>(polynomial<W, 1>{{W(1)}}, constant(shift[k], 4));
+                p[i] = product<1>(p[i], over_radius);
+            }
+            return p;
+        };
+        const auto ball = [&](const vec3<W>& shift, const W& from, const W& to) {
+            polynomial<W, 2> depth{{W(1)}};
+            for (const polynomial<W, 1>& x : coordinates(shift)) depth = depth - product<2>(x, x);
+            visit(between(depth, W(m.strength), from, to));
+        };
+        const W end = W(2) * part.reach, axis2 = dot(axis, axis);
+        if (!(axis2 > W(0))) return ball(to_base, -end, end);
+
+        // Where the line is at the height of the centre and of the other end.
+        W start = dot(part.from + to_base, axis), rise = dot(part.along, axis);
+        const auto place = [&](const W& height) {
+            return max(-end, min(end, quotient(height - start, rise, height > start ? end : -end)));
+        };
+        const W low = place(W(0)), high = place(axis2);
+        const bool falls = rise < W(0);
+        if (falls ? low < end : -end < low) ball(to_base, falls ? low : -end, falls ? end : low);
+        if (falls ? -end < high : high < end) ball(to_base - axis, falls ? -end : high, falls ? high : end);
+        if (low == high) return;
+        const auto p = coordinates(to_base);
+        const auto over_size = constant(W(1) / sqrt(axis2), 6);
         polynomial<W, 2> depth{{W(1)}};
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            polynomial<W, 1> x = part.coordinate(axis);
-            x = x + product<1>(polynomial<W, 1>{{W(1)}}, constant(base[axis] - W(m.center[axis]), 2));
-            x = product<1>(x, over_radius);
-            depth = depth - product<2>(x, x);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+            const auto along = [&](std::size_t n) { return constant(axis[static_cast<glm::length_t>(n)]); };
+            const auto moment = product<1>(product<1>(p[j], along(k)) - product<1>(p[k], along(j)), over_size);
+            depth = depth - product<2>(moment, moment);
         }
-        W along2 = dot(part.along, part.along), middle = -dot(from_center, part.along) / along2;
-        W half2 = (along2 * W(m.radius) * W(m.radius) - dot(moment, moment)) / (along2 * along2);
-        W half = half2 > W(0) ? sqrt(half2) : W(0);
-        return {middle - half, middle + half, product<4>(product<4>(depth, depth), constant(W(m.strength)))};
+        visit(between(depth, W(m.strength), min(low, high), max(low, high)));
+    }
+
+    /// Where the depth, which has its greatest value somewhere, is above zero between two places. How far these ends
+    /// are off makes the depth there no more wrong than its coefficients are, and the field the square of that.
+    template <class W>
+    RAIO_FN static constexpr piece<W> between(const polynomial<W, 2>& depth, const W& strength, const W& from,
+                                              const W& to) {
+        const auto& c = depth.coefficient;
+        W low = from, high = to;
+        if (c[2] < W(0)) {
+            W middle = W(-0.5) * c[1] / c[2], square = middle * middle - c[0] / c[2];
+            W half = square > W(0) ? sqrt(square) : W(0);
+            low = max(from, middle - half), high = min(to, middle + half);
+        } else if (!(c[0] > W(0))) {
+            high = low;
+        }
+        return {low, high, product<4>(product<4>(depth, depth), constant(strength))};
     }
 
     /// Into a list in order.
     template <class W>
-    RAIO_FN static constexpr void insert(std::array<W, 2 * Most>& ends, std::size_t& count, const W& x) {
+    RAIO_FN static constexpr void insert(std::array<W, 6 * Most>& ends, std::size_t& count, const W& x) {
         std::size_t i = count++;
         for (; i > 0 && x < ends[i - 1]; --i) ends[i] = ends[i - 1];
         ends[i] = x;
