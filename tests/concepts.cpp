@@ -19,7 +19,7 @@ struct who_is_what {
     static_assert(bounded<bilinear_patch<T>> && !solid<bilinear_patch<T>> && !sampleable<bilinear_patch<T>>);
     static_assert(bounded<heightfield<T>> && !solid<heightfield<T>> && std::is_aggregate_v<heightfield<T>>);
     static_assert(bounded<bezier_curve<T>> && solid<bezier_curve<T>> && std::is_aggregate_v<bezier_curve<T>>);
-    static_assert(bounded<round_cone<T>> && solid<round_cone<T>> && std::is_aggregate_v<round_cone<T>>);
+    static_assert(bounded<round_cone<T>> && solid<round_cone<T>> && sampleable<round_cone<T>>);
     static_assert(bounded<parallelogram<T>> && !solid<parallelogram<T>> && sampleable<parallelogram<T>>);
     static_assert(primitive<box<T>> && bounded<box<T>> && solid<box<T>> && sampleable<box<T>>);
     static_assert(primitive<cylinder<T>> && bounded<cylinder<T>> && solid<cylinder<T>>);
@@ -33,8 +33,8 @@ struct who_is_what {
     static_assert(bounded<open_cone<T>> && !solid<open_cone<T>> && sampleable<open_cone<T>>);
     static_assert(primitive<frustum<T>> && bounded<frustum<T>> && solid<frustum<T>> && sampleable<frustum<T>>);
     static_assert(bounded<open_frustum<T>> && !solid<open_frustum<T>> && sampleable<open_frustum<T>>);
-    static_assert(primitive<paraboloid<T>> && bounded<paraboloid<T>> && solid<paraboloid<T>>);
-    static_assert(bounded<open_paraboloid<T>> && !solid<open_paraboloid<T>> && !sampleable<open_paraboloid<T>>);
+    static_assert(primitive<paraboloid<T>> && sampleable<paraboloid<T>> && solid<paraboloid<T>>);
+    static_assert(bounded<open_paraboloid<T>> && !solid<open_paraboloid<T>> && sampleable<open_paraboloid<T>>);
     static_assert(bounded<hyperboloid<T>> && solid<hyperboloid<T>> && !solid<open_hyperboloid<T>>);
     static_assert(bounded<two_sheet_hyperboloid<T>> && solid<two_sheet_hyperboloid<T>>);
     static_assert(bounded<open_two_sheet_hyperboloid<T>> && !solid<open_two_sheet_hyperboloid<T>>);

@@ -2,6 +2,7 @@
 
 #include "support/cases.hpp"
 #include "support/paraboloids.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
 
@@ -87,11 +88,21 @@ TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic", T, float, double) {
     check_bounds_of_errors<open_paraboloid<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("paraboloid: area", T, float, double) {
+TEST_CASE_TEMPLATE("paraboloid: area, and samples spread evenly over it", T, float, double) {
     const double pi = std::numbers::pi;
     CHECK(open_paraboloid<T>{{1, 2, 3}, {1, 2, 5}, 3}.area() == doctest::Approx(49 * pi / 4));  // of a 3, 4, 5
     CHECK(paraboloid<T>{{1, 2, 3}, {1, 2, 5}, 3}.area() == doctest::Approx(49 * pi / 4 + 9 * pi));
     CHECK(open_paraboloid<T>{{0, 0, 0}, {0, 0, T(1e-6)}, 3}.area() == doctest::Approx(9 * pi));  // a disc
+    // Of the 49 / 4 of the side, times pi, as much is below a height of h.
+    const auto below = [](T h) { return T((std::pow(9 + 16 * double(h), 1.5) / 27 - 1) * 27 / 98); };
+    check_sampling(open_paraboloid<T>{{1, 2, 3}, {1, 2, 5}, 3},
+                   [&](const hit_record<T>& rec) { return vec2<T>(rec.uv.x, below(rec.uv.y)); });
+    check_sampling(paraboloid<T>{{1, 2, 3}, {1, 2, 5}, 3}, [&](const hit_record<T>& rec) {
+        const bool cap = rec.normal.z > T(0.5);
+        return vec2<T>(rec.uv.x, cap ? (49 + 36 * rec.uv.y * rec.uv.y) / 85 : below(rec.uv.y) * 49 / 85);
+    });
+    const surface_sample<T> flat = open_paraboloid<T>{{0, 0, 0}, {0, 0, T(1e-6)}, 3}.sample({0, T(0.25)});
+    CHECK(length(vec3<T>(flat.point)) == doctest::Approx(1.5));
 }
 
 TEST_CASE_TEMPLATE("paraboloid: bounds are tight", T, float, double) {

@@ -1,62 +1,10 @@
 #include <raio/shape/round_cone.hpp>
 
 #include "support/cases.hpp"
+#include "support/round_cones.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
-
-template <class T>
-struct subject<round_cone<T>> {
-    static auto fields(auto& s) { return std::tie(s.base, s.top, s.base_radius, s.top_radius); }
-
-    /// One in eight is a sphere, one in eight a capsule; of some one sphere is inside of the other.
-    static round_cone<T> random(random_numbers& random, double size, const vec3<double>& place) {
-        const double height = random.one_in(8) ? 0 : size * random.log_uniform(0.1, 10);
-        const T base = static_cast<T>(size * random.log_uniform(0.1, 1)),
-                top = static_cast<T>(size * random.log_uniform(0.1, 1));
-        return {vec3<T>(place), vec3<T>(place + random.direction() * height), base, random.one_in(8) ? base : top};
-    }
-    /// One of the spheres that were swept.
-    static sphere<double> swept(const round_cone<T>& s, double which) {
-        const vec3<double> base = to_double(s.base);
-        const double low = static_cast<double>(s.base_radius), high = static_cast<double>(s.top_radius);
-        return {base + (to_double(s.top) - base) * which, low + (high - low) * which};
-    }
-    static vec3<double> inner_point(const round_cone<T>& s, random_numbers& random) {
-        const auto [center, radius] = swept(s, random.uniform());
-        return center + random.direction() * (random.uniform(0, 0.99) * radius);
-    }
-    /// On the axis, at a pole, or on the silhouette of one of the spheres inside: at the ends, that is on a seam.
-    static vec3<double> special_point(const round_cone<T>& s, const vec3<double>& from, random_numbers& random) {
-        const auto [center, radius] = swept(s, random.one_in(2) ? random.integer(0, 1) : random.uniform());
-        const vec3<double> axis = to_double(s.top) - to_double(s.base), to_center = center - from;
-        const double size = length(axis), sine = radius / length(to_center);
-        switch (random.integer(0, 2)) {
-            case 0:
-                return center;
-            case 1:
-                if (size > 0) return center + axis * ((random.one_in(2) ? radius : -radius) / size);
-                [[fallthrough]];
-            default:
-                if (!(sine < 1)) return center;
-                return center - to_center * (sine * sine) +
-                       random.perpendicular(to_center) * (radius * std::sqrt(1 - sine * sine));
-        }
-    }
-    /// From the swept sphere on which the point would lie if it were on the surface.
-    static oracle distance(const round_cone<oracle>& s, const vec3<oracle>& p) {
-        const vec3<oracle> axis = s.top - s.base, from_base = p - s.base;
-        const oracle narrowing = s.base_radius - s.top_radius, apart = dot(axis, axis) - narrowing * narrowing;
-        const oracle along = dot(from_base, axis) - s.base_radius * narrowing;
-        oracle which = apart > 0 ? oracle(along / apart) : oracle(narrowing < 0 ? 1 : 0);
-        which = max(oracle(0), min(oracle(1), which));
-        return length(vec3<oracle>(from_base - axis * which)) - (s.base_radius - narrowing * which);
-    }
-    static round_cone<oracle> grown(round_cone<oracle> s) {
-        s.base_radius *= 1 + oracle(1e-40);
-        s.top_radius *= 1 + oracle(1e-40);
-        return s;
-    }
-};
 
 TEST_CASE_TEMPLATE("round_cone: named cases", T, float, double) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
@@ -108,6 +56,36 @@ TEST_CASE_TEMPLATE("round_cone: as exact arithmetic", T, float, double) {
     check_oracle<round_cone<T>>();
     check_accuracy<round_cone<T>>(normal_run);
     check_bounds_of_errors<round_cone<T>>(normal_run / 5);
+}
+
+TEST_CASE_TEMPLATE("round_cone: area, and samples spread evenly over it", T, float, double) {
+    const double pi = std::numbers::pi;
+    const round_cone<T> pear{{1, 2, 3}, {1, 2, 8}, 1, 4};  // of a 3, 4, 5
+    CHECK(pear.area() == doctest::Approx(0.8 * pi + 16 * pi + 51.2 * pi));
+    CHECK(round_cone<T>{{1, 2, 3}, {3, 3, 5}, 2, 2}.area() == doctest::Approx(28 * pi));
+    CHECK(round_cone<T>{{0, 0, 0}, {0, 0, 1}, 1, 3}.area() == doctest::Approx(36 * pi));
+    CHECK(round_cone<T>{{0, 0, 0}, {0, 0, 1}, 3, 1}.area() == doctest::Approx(36 * pi));
+    CHECK(round_cone<T>{{1, 1, 1}, {1, 1, 1}, 3, 3}.area() == doctest::Approx(36 * pi));
+    const auto check = [](const round_cone<T>& shape) {
+        const double r = double(shape.base_radius), s = double(shape.top_radius);
+        const vec3<double> axis = to_double(shape.top) - to_double(shape.base);
+        const double size = length(axis), sine = std::clamp(size > 0 ? (s - r) / size : 1, -1.0, 1.0);
+        const double low = 2 * r * r * (1 - sine), side = (r + s) * size * (1 - sine * sine),
+                     high = 2 * s * s * (1 + sine), all = low + side + high;
+        check_sampling(shape, [=](const hit_record<T>& rec) {
+            const double height = double(rec.uv.y) * (size + r + s) - r, seam = -sine * r, rim = size - sine * s;
+            double below = low + side + 2 * s * (height - rim);
+            if (height < rim) {
+                const double which = (height - seam) / (rim - seam);
+                below = low + side * which * (2 * r + (s - r) * which) / (r + s);
+            }
+            if (height < seam) below = 2 * r * (height + r);
+            return vec2<T>(rec.uv.x, T(below / all));
+        });
+    };
+    check(pear);
+    check({{1, 2, 3}, {3, 3, 5}, 2, 1});
+    check({{1, 2, 3}, {3, 3, 5}, 2, 2});
 }
 
 TEST_CASE_TEMPLATE("round_cone: uv", T, float, double) {

@@ -9,6 +9,7 @@
 #include "support/parallelograms.hpp"
 #include "support/planes.hpp"
 #include "support/polyhedra.hpp"
+#include "support/round_cones.hpp"
 #include "support/spheres.hpp"
 #include "support/triangles.hpp"
 
@@ -37,6 +38,7 @@ TEST_CASE_TEMPLATE("packs: open cylinder", T, float, double) { check_packs<open_
 TEST_CASE_TEMPLATE("packs: cone", T, float, double) { check_packs<cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: open cone", T, float, double) { check_packs<open_cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: frustum", T, float, double) { check_packs<frustum<T>>(); }
+TEST_CASE_TEMPLATE("packs: round cone", T, float, double) { check_packs<round_cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: paraboloid", T, float, double) { check_packs<paraboloid<T>>(); }
 TEST_CASE_TEMPLATE("packs: open hyperboloid", T, float, double) { check_packs<open_hyperboloid<T>>(); }
 TEST_CASE_TEMPLATE("packs: convex polyhedron", T, float, double) { check_packs<convex_polyhedron<T>>(); }

@@ -76,14 +76,19 @@ RAIO_FN constexpr T frustum_side(const vec3<T>& base, const vec3<T>& top, const 
     const T widening = radii.y - radii.x;
     return T(pi<T>) * (radii.x + radii.y) * sqrt(dot(axis, axis) + widening * widening);
 }
+/// The height, of the axis, below which there is that part of the side.
+template <real T>
+RAIO_FN constexpr T height_on_frustum(const vec2<T>& radii, const T& part) {
+    const T low2 = radii.x * radii.x, rho = sqrt(low2 + part * (radii.y * radii.y - low2));
+    // (rho - radii.x) / widening, and `part` where the radii are equal.
+    return min(T(1), part * (radii.x + radii.y) / (rho + radii.x));
+}
 template <real T>
 RAIO_FN constexpr surface_sample<T> sample_frustum_side(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
                                                         const vec2<T>& u) {
     vec3<T> axis = top - base;
-    const T size = length(axis), low2 = radii.x * radii.x, high2 = radii.y * radii.y;
-    const T widening = radii.y - radii.x, rho = sqrt(low2 + u.y * (high2 - low2));
-    // (rho - radii.x) / widening, and u.y where the radii are equal.
-    const T height = min(T(1), u.y * (radii.x + radii.y) / (rho + radii.x));
+    const T size = length(axis), widening = radii.y - radii.x, height = height_on_frustum(radii, u.y);
+    const T rho = radii.x + widening * height;
     const frame<T> f = frame_about(axis / size);
     const T phi = T(2 * pi<T>) * u.x;
     vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);

@@ -1,7 +1,9 @@
 #pragma once
 
-#include <raio/concepts.hpp>
+#include <cmath>
+
 #include <raio/quadric_crossing.hpp>
+#include <raio/shape/disc.hpp>
 
 /// \file
 /// Both paraboloids: with its cap one is a solid, without it a dish.
@@ -60,6 +62,22 @@ RAIO_FN constexpr T paraboloid_side(const vec3<T>& vertex, const vec3<T>& top, T
     return T(2 * pi<T> / 3) * radius * (q2 + q * radius + r2) / (q + radius);
 }
 
+/// The point of the side that `u` chooses: u.x turns about the axis, u.y is the area between the vertex and the point.
+template <std::floating_point T>
+RAIO_FN constexpr surface_sample<T> sample_paraboloid_side(const vec3<T>& vertex, const vec3<T>& top, T radius,
+                                                           const vec2<T>& u) {
+    // With k = 1 + 4 axis^2 / radius^2 the area below a height h is as (1 + (k - 1) h)^(3/2) - 1. Of the c whose cube
+    // is 1 + s, c - 1 is written as a quotient without a difference, and so is k^(3/2) - 1.
+    const vec3<T> axis = top - vertex;
+    const T size = length(axis), slender = T(2) * size / radius, k = T(1) + slender * slender, q = sqrt(k);
+    const T per_k = u.y * (k + q + T(1)) / (q + T(1)), c = std::cbrt(T(1) + per_k * slender * slender);
+    const T height = min(T(1), per_k * (c + T(1)) / (c * c + c + T(1))), rho = sqrt(height) * radius;
+    const frame<T> f = frame_about(axis / size);
+    const T phi = T(2 * pi<T>) * u.x;
+    vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
+    return {vertex + axis * height + outwards * rho, normalize(outwards * (slender * sqrt(height)) - f.z)};
+}
+
 }  // namespace detail
 
 /// The points between a paraboloid of revolution and a disc across its axis: closed, a solid.
@@ -84,6 +102,13 @@ struct paraboloid {
 
     RAIO_FN constexpr T area() const {
         return detail::paraboloid_side(vertex, top, radius) + T(pi<T>) * radius * radius;
+    }
+
+    /// u.x chooses between the side and the cap, and what is left of it is the angle.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
+        const T side = detail::paraboloid_side(vertex, top, radius), left = u.x * area();
+        if (left < side) return detail::sample_paraboloid_side(vertex, top, radius, {left / side, u.y});
+        return disc<T>{top, top - vertex, radius}.sample({(left - side) / (area() - side), u.y});
     }
 
     template <class W, real R>
@@ -119,6 +144,11 @@ struct open_paraboloid {
     RAIO_FN constexpr aabb<T> bounds() const { return detail::paraboloid_bounds(vertex, top, radius); }
 
     RAIO_FN constexpr T area() const { return detail::paraboloid_side(vertex, top, radius); }
+
+    /// u.x turns about the axis, u.y is the area between the vertex and the point.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
+        return detail::sample_paraboloid_side(vertex, top, radius, u);
+    }
 
     /// Either crossing counts on its own, if it lies below the rim.
     template <class W, real R>

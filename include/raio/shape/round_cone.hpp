@@ -34,6 +34,33 @@ struct round_cone {
 
     RAIO_FN constexpr aabb<T> bounds() const { return hull(low_end().bounds(), high_end().bounds()); }
 
+    RAIO_FN constexpr T area() const {
+        const areas parts = areas_of_parts();
+        return parts.low + parts.side + parts.high;
+    }
+
+    /// u.x turns about the axis, u.y is the area between the pole of the base's sphere and the point.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::same_as<mask_t<T>, bool>) {
+        const areas parts = areas_of_parts();
+        const vec3<T> axis = top - base;
+        const T size = length(axis), left = u.y * area();
+        T which(0), rise(0);
+        if (left < parts.low) {
+            rise = left / (T(2 * pi<T>) * base_radius * base_radius) - T(1);
+        } else if (left < parts.low + parts.side) {
+            which = detail::height_on_frustum({base_radius, top_radius}, (left - parts.low) / parts.side);
+            rise = -parts.sine;
+        } else {
+            which = T(1);
+            rise = T(1) - (area() - left) / (T(2 * pi<T>) * top_radius * top_radius);
+        }
+        const T radius = base_radius + (top_radius - base_radius) * which, phi = T(2 * pi<T>) * u.x;
+        const T rho = sqrt(max(T(0), T(1) - rise * rise));
+        const frame<T> f = frame_about(size > T(0) ? axis / size : vec3<T>(T(0), T(0), T(1)));
+        vec3<T> normal = f.to_world({rho * cos(phi), rho * sin(phi), rise});
+        return {base + axis * which + normal * radius, normal};
+    }
+
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> ends = unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray));
@@ -74,6 +101,20 @@ struct round_cone {
     }
 
 private:
+    /// What is left of the base's sphere, of the cone and of the top's sphere, and how much wider the cone gets with
+    /// each length of the axis.
+    struct areas {
+        T low, side, high, sine;
+    };
+    RAIO_FN constexpr areas areas_of_parts() const {
+        const T size = length(top - base), widening = top_radius - base_radius;
+        const mask_t<T> sided = abs(widening) < size;
+        const T sine = select(sided, quotient(widening, size, T(0)), copysign(T(1), widening));
+        const T apart = select(sided, quotient((size - widening) * (size + widening), size, T(0)), T(0));
+        return {T(2 * pi<T>) * base_radius * base_radius * (T(1) - sine), T(pi<T>) * (base_radius + top_radius) * apart,
+                T(2 * pi<T>) * top_radius * top_radius * (T(1) + sine), sine};
+    }
+
     RAIO_FN constexpr sphere<T> low_end() const { return {base, base_radius}; }
     RAIO_FN constexpr sphere<T> high_end() const { return {top, top_radius}; }
 
