@@ -35,18 +35,18 @@ public:
 
     RAIO_FN constexpr double_double operator-() const { return {-high_, -low_}; }
 
-    RAIO_FN friend constexpr double_double operator+(double_double a, double_double b) {
+    RAIO_NO_CLONES RAIO_FN friend constexpr double_double operator+(double_double a, double_double b) {
         const double_double sum = exact_sum(a.high_, b.high_);
         if (!raio::is_finite(sum.high_)) return sum.high_;  // the error of an infinity would be a NaN
         return renormalized(sum.high_, sum.low_ + (a.low_ + b.low_));
     }
-    RAIO_FN friend constexpr double_double operator-(double_double a, double_double b) { return a + -b; }
-    RAIO_FN friend constexpr double_double operator*(double_double a, double_double b) {
+    RAIO_NO_CLONES RAIO_FN friend constexpr double_double operator-(double_double a, double_double b) { return a + -b; }
+    RAIO_NO_CLONES RAIO_FN friend constexpr double_double operator*(double_double a, double_double b) {
         const double_double product = exact_product(a.high_, b.high_);
         const double cross_terms = detail::rounded_product(a.high_, b.low_) + detail::rounded_product(a.low_, b.high_);
         return renormalized(product.high_, product.low_ + cross_terms);
     }
-    RAIO_FN friend constexpr double_double operator/(double_double a, double_double b) {
+    RAIO_NO_CLONES RAIO_FN friend constexpr double_double operator/(double_double a, double_double b) {
         const double quotient = a.high_ / b.high_;
         if (!raio::is_finite(quotient) || !raio::is_finite(b.high_)) return quotient;
         const double_double remainder = a - b * double_double(quotient);

@@ -37,7 +37,7 @@ struct spans {
         intervals{};
     std::size_t count = 0;
 
-    RAIO_FN constexpr spans() = default;
+    constexpr spans() = default;
     RAIO_FN constexpr spans(const interval<T>& one) requires(N >= 1) { append(one); }
 
     RAIO_FN constexpr const interval<T>* begin() const { return intervals.data(); }
