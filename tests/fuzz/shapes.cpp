@@ -1,0 +1,333 @@
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <stdexcept>
+
+#include "support/properties.hpp"
+
+/// One input of the fuzzer, and of replay.cpp: any bits as shape, ray and window. Whatever they are, the answer is no,
+/// or a crossing within the window whose record is sound; occluded says the same; spans are in order; and a tree
+/// answers as the loop does.
+///
+/// The first byte chooses the shape, the second what numbers are: float or double, and the next bits as they are, or
+/// one byte that stands for an eighth, or that, but for some bytes which stand for numbers at which things go wrong.
+/// Among eighths the point lies within the bounds, too, and the normal is against the ray. (A shape with sizes of
+/// 1e-300 and 1e300 at once does not promise that.)
+namespace raio::test {
+
+namespace {
+
+void check(bool holds, const std::string& what = "") {
+    if (holds) return;
+    std::fprintf(stderr, "%s\n", what.c_str());
+    std::abort();
+}
+
+enum class number_kind { bits, eighths_and_hard, eighths };
+
+/// The bytes, taken for numbers of T one after the other. Behind the end there are only zeros.
+template <class T>
+class numbers {
+public:
+    numbers(std::span<const std::uint8_t> bytes, number_kind kind) : bytes_(bytes), kind_(kind) {}
+
+    T number() {
+        if (kind_ != number_kind::bits) return one_of_few(byte());
+        std::array<std::uint8_t, sizeof(T)> bits;
+        for (std::uint8_t& b : bits) b = byte();
+        return std::bit_cast<T>(bits);
+    }
+    vec2<T> pair() {
+        const T x = number();
+        return {x, number()};
+    }
+    vec3<T> point() {
+        const T x = number(), y = number();
+        return {x, y, number()};
+    }
+    number_kind kind() const { return kind_; }
+    /// One of 0, 1, ..., most.
+    unsigned count(unsigned most) { return byte() % (most + 1); }
+
+private:
+    std::uint8_t byte() {
+        if (bytes_.empty()) return 0;
+        const std::uint8_t first = bytes_.front();
+        bytes_ = bytes_.subspan(1);
+        return first;
+    }
+
+    T one_of_few(std::uint8_t b) const {
+        using limits = std::numeric_limits<T>;
+        constexpr T hard[] = {
+            -T(0),       limits::denorm_min(), limits::min(),       limits::max(),     limits::lowest(),
+            infinity<T>, -infinity<T>,         limits::quiet_NaN(), limits::epsilon(), 1 + limits::epsilon()};
+        if (kind_ == number_kind::eighths_and_hard && b >= 128 && b < 128 + std::size(hard)) return hard[b - 128];
+        return T(static_cast<std::int8_t>(b)) / 8;
+    }
+
+    std::span<const std::uint8_t> bytes_;
+    number_kind kind_;
+};
+
+template <class T>
+ray<T> some_ray(numbers<T>& n) {
+    const vec3<T> origin = n.point();
+    return {origin, n.point()};
+}
+
+template <class T, class Shape>
+void ask(numbers<T>& n, const Shape& shape) {
+    const ray<T> ray = some_ray(n);
+    const T t_min = n.number(), t_max = n.number();
+    for (const probe<Shape>& p : {probe<Shape>{shape, ray}, probe<Shape>{shape, ray, t_min, t_max}}) {
+        std::string wrong = unsound_answer(p);
+        if (n.kind() == number_kind::eighths) wrong += inconsistent_record(p);
+        check(wrong.empty(), wrong);
+    }
+    shape.bounds();
+    if constexpr (solid<Shape>) {
+        T last = -infinity<T>;
+        for (const interval<T>& i : spans(shape.spans(ray))) {
+            check(last <= i.min && i.min <= i.max, "spans not in order");
+            last = i.max;
+        }
+    }
+}
+
+template <class T>
+void ask_tree(numbers<T>& n) {
+    std::vector<sphere<T>> shapes;
+    for (unsigned left = n.count(12); left > 0; --left) {
+        const vec3<T> center = n.point();
+        shapes.push_back({center, n.number()});
+    }
+    const ray<T> ray = some_ray(n);
+    try {
+        const bvh<sphere<T>> tree(shapes, {.threads = 1});
+        hit_record<T> expected, found;
+        const bool hit = group{shapes}.hit(ray, T(0), infinity<T>, expected);
+        check(tree.hit(ray, T(0), infinity<T>, found) == hit && same_record(found, expected),
+              "another hit in the tree");
+        check(tree.occluded(ray, T(0), infinity<T>) == hit, "occluded otherwise in the tree");
+    } catch (const std::invalid_argument&) {
+    }
+}
+
+template <class T>
+std::array<vec3<T>, 4> corners(numbers<T>& n) {
+    const vec3<T> a = n.point(), b = n.point(), c = n.point();
+    return {a, b, c, n.point()};
+}
+
+/// Every shape, and every way to put shapes together. Braces read their numbers in order.
+template <class T>
+constexpr void (*questions[])(numbers<T>&) = {
+    [](numbers<T>& n) {
+        ask(n, sphere<T>{n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, ellipsoid<T>{n.point(), n.point()});
+    },
+    [](numbers<T>& n) {
+        ask(n, plane<T>{n.point(), n.point()});
+    },
+    [](numbers<T>& n) {
+        ask(n, disc<T>{n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, ring<T>{n.point(), n.point(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, parallelogram<T>{n.point(), n.point(), n.point()});
+    },
+    [](numbers<T>& n) {
+        ask(n, bilinear_patch<T>{n.point(), n.point(), n.point(), n.point()});
+    },
+    [](numbers<T>& n) {
+        ask(n, triangle<T>{n.point(), n.point(), n.point()});
+    },
+    [](numbers<T>& n) {
+        ask(n, watertight_triangle<T>{n.point(), n.point(), n.point()});
+    },
+    [](numbers<T>& n) {
+        ask(n, box<T>{n.point(), n.point()});
+    },
+    [](numbers<T>& n) {
+        ask(n, cylinder<T>{n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, open_cylinder<T>{n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, capsule<T>{n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, round_cone<T>{n.point(), n.point(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, cone<T>{n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, open_cone<T>{n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, frustum<T>{n.point(), n.point(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, open_frustum<T>{n.point(), n.point(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, paraboloid<T>{n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, open_paraboloid<T>{n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, hyperboloid<T>{n.point(), n.point(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, open_hyperboloid<T>{n.point(), n.point(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, two_sheet_hyperboloid<T>{n.point(), n.point(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, open_two_sheet_hyperboloid<T>{n.point(), n.point(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, quadric<T>{n.point(), n.point(), n.point(), n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, open_quadric<T>{n.point(), n.point(), n.point(), n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, torus<T>{n.point(), n.point(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, steiner<T>{n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        ask(n, teardrop<T>{n.point(), n.point(), n.number()});
+    },
+    [](numbers<T>& n) {
+        algebraic<T, 4> some{n.point(), n.point(), {}};
+        for (unsigned left = n.count(6); left > 0; --left) {
+            const T coefficient = n.number();
+            const unsigned x = n.count(4), y = n.count(4 - x);
+            some.terms.push_back({coefficient, x, y, n.count(4 - x - y)});
+        }
+        ask(n, some);
+    },
+    [](numbers<T>& n) {
+        blob<T, 3> some{};
+        for (metaball<T>& ball : some.components) ball = {n.point(), n.number(), n.number(), n.point()};
+        some.threshold = n.number();
+        ask(n, some);
+    },
+    [](numbers<T>& n) {
+        surface_of_revolution<T> some{n.point(), n.point(), {}};
+        for (unsigned left = n.count(5); left > 0; --left) some.profile.push_back(n.pair());
+        ask(n, some);
+    },
+    [](numbers<T>& n) {
+        heightfield<T> some{n.pair(), n.pair(), 2 + n.count(2), {}};
+        for (unsigned left = some.columns * (2 + n.count(2)); left > 0; --left) some.heights.push_back(n.number());
+        ask(n, some);
+    },
+    [](numbers<T>& n) {
+        convex_polyhedron<T> some;
+        for (unsigned left = n.count(7); left > 0; --left) some.planes.push_back({n.point(), n.number()});
+        ask(n, some);
+    },
+    [](numbers<T>& n) {
+        const auto [center, x, y, z] = corners(n);
+        ask(n, oriented_box(center, x, y, z));
+    },
+    [](numbers<T>& n) {
+        const auto [a, b, c, d] = corners(n);
+        ask(n, tetrahedron(a, b, c, d));
+    },
+    [](numbers<T>& n) {
+        const std::array<vec3<T>, 4> base = corners(n);
+        ask(n, pyramid(base, n.point()));
+    },
+    [](numbers<T>& n) {
+        const std::array<vec3<T>, 4> base = corners(n);
+        ask(n, prism(base, n.point()));
+    },
+    [](numbers<T>& n) {
+        const vec3<T> center = n.point();
+        ask(n, regular_solid<12>(center, n.number()));
+    },
+    [](numbers<T>& n) {
+        const sphere<T> ball{n.point(), n.number()};
+        const auto distance = [=](const vec3<T>& p) { return length(p - ball.center) - ball.radius; };
+        const aabb<T> bounds{n.point(), n.point()};
+        const T tolerance = n.number();
+        ask(n, signed_distance{bounds, tolerance, n.number(), distance});
+    },
+    [](numbers<T>& n) {
+        const sphere<T> ball{n.point(), n.number()};
+        ask(n, transformed{ball, transform<T>{n.point(), n.point(), n.point(), n.point()}});
+    },
+    [](numbers<T>& n) {
+        const torus<T> tube{n.point(), n.point(), n.number(), n.number()};
+        const box<T> block{n.point(), n.point()};
+        const sphere<T> ball{n.point(), n.number()};
+        switch (n.count(2)) {
+            case 0:
+                ask(n, union_of(difference_of(tube, block), ball));
+                break;
+            case 1:
+                ask(n, difference_of(block, intersection_of(tube, ball)));
+                break;
+            default:
+                ask(n, intersection_of(union_of(tube, ball), block));
+                break;
+        }
+    },
+    [](numbers<T>& n) {
+        const sphere<T> ball{n.point(), n.number()};
+        const disc<T> round{n.point(), n.point(), n.number()};
+        ask(n, group{ball, round, std::array{any_primitive<T>(ball), any_primitive<T>(round)}});
+    },
+    [](numbers<T>& n) {
+        mesh<T> some;
+        for (const vec3<T>& vertex : corners(n)) some.vertices.push_back(vertex);
+        for (unsigned left = n.count(4); left > 0; --left)
+            some.triangles.push_back({n.count(3), n.count(3), n.count(3)});
+        ask(n, some);
+    },
+    ask_tree<T>,
+    [](numbers<T>& n) {
+        const auto [a, b, c, d] = corners(n);
+        ask(n, bezier_curve<T>{a, b, c, d, n.number(), n.number(), n.number(), n.number()});
+    },
+    [](numbers<T>& n) {
+        curved_surface_of_revolution<T> some{n.point(), n.point(), {}};
+        for (unsigned left = 3 * n.count(2); left > 0; --left) some.profile.push_back(n.pair());
+        some.profile.push_back(n.pair());
+        ask(n, some);
+    },
+};
+
+}  // namespace
+
+}  // namespace raio::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace raio::test;
+    if (size < 2) return 0;
+    const std::span<const std::uint8_t> bytes(data + 2, size - 2);
+    const auto kind = static_cast<number_kind>((data[1] >> 1) % 3);
+    if ((data[1] & 1) != 0) {
+        numbers<double> n(bytes, kind);
+        questions<double>[data[0] % std::size(questions<double>)](n);
+    } else {
+        numbers<float> n(bytes, kind);
+        questions<float>[data[0] % std::size(questions<float>)](n);
+    }
+    return 0;
+}
