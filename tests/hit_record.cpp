@@ -4,6 +4,8 @@
 
 #include <initializer_list>
 
+#include <raio/shape/disc.hpp>
+
 namespace raio::test {
 
 template <class T>
@@ -40,6 +42,16 @@ TEST_CASE_TEMPLATE("spawn_ray: moves off a point at the origin that is exact", T
     rec.point = rec.error = vec3<T>(0);
     CHECK(spawn_ray(rec, vec3<T>(0, 1, 0)).origin.y > T(0));
     CHECK(spawn_ray(rec, vec3<T>(0, -1, 0)).origin.y < T(0));
+}
+
+TEST_CASE_TEMPLATE("spawn_ray: a layer 4e-5 behind another is not skipped", T, float, double) {
+    const disc<T> front{{0, 0, 0}, {0, 0, 1}, 1}, behind{{0, 0, T(-4e-5)}, {0, 0, 1}, 1};
+    hit_record<T> rec, next;
+    REQUIRE(front.hit({{3, 2, 9}, {-3, -2, -9}}, T(0), infinity<T>, rec));
+    const ray<T> spawned = spawn_ray(rec, {0, 0, -1});
+    CHECK(!front.occluded(spawned, T(0), infinity<T>));
+    REQUIRE(behind.hit(spawned, T(0), infinity<T>, next));
+    CHECK(next.t == doctest::Approx(4e-5).epsilon(0.05));
 }
 
 TEST_CASE_TEMPLATE("assign: takes over all or nothing", T, float, double) {
