@@ -53,6 +53,10 @@ TEST_CASE_TEMPLATE("outward: to the next number or the one after it, and off zer
         CHECK((outward(x, T(1)) == next || outward(x, T(1)) == after));
         CHECK(outward(-x, T(-1)) == -outward(x, T(1)));
     }
+    // Where the least step and an ulp are alike.
+    for (const T x : {limits::min() / limits::epsilon(), 2 * limits::min() / limits::epsilon()}) {
+        CHECK((outward(x, T(1)) > x && outward(x, T(-1)) < x));
+    }
     for (const T x : {T(0), -T(0), limits::denorm_min(), limits::min(), -limits::min()}) {  // no ulp is too small
         CHECK((outward(x, T(1)) > x && outward(x, T(1)) <= x + 2 * limits::min()));
         CHECK((outward(x, T(-1)) < x && outward(x, T(-1)) >= x - 2 * limits::min()));

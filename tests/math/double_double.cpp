@@ -51,6 +51,7 @@ TEST_CASE("double_double: sums and products of doubles have no error") {
 TEST_CASE("double_double: compares, rounds and changes signs like a number") {
     const double_double one(1), more = one + double_double(0x1p-80), less = one - double_double(0x1p-80);
     CHECK((less < one && one < more && more > less && one <= one && one >= one && one == one && one != more));
+    CHECK((!(one < one) && !(more < one) && !(more < more) && !(one > one)));
     CHECK((-more < -one && abs(-more) == more && abs(less) == less));
     CHECK(floor(more) == one);
     CHECK(floor(less) == double_double(0));

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""Do the tests notice when the library is wrong?
+
+Makes one small mistake at a time in a copy of a header: a comparison turned around or moved by its end, + for -, an abs
+that is gone, a constant a little off. Compiles the test files that answer for the header against that copy, runs them, and
+says whether they caught it, whether it survived, or whether it does not compile.
+
+    tests/mutate/mutate.py --header shape/sphere.hpp             # every mistake that can be made in it
+    tests/mutate/mutate.py --count 50 --seed 3                   # some of those of all headers below
+
+A mistake that no test can catch, since it changes no answer, is listed with its reason in accepted.txt. The exit status is
+1 if any other survives.
+"""
+
+import argparse
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+ACCEPTED = pathlib.Path(__file__).with_name("accepted.txt")
+
+# Which tests answer for a header that has no test of its own name.
+TESTS = {
+    "settle.hpp": ["shape/sphere"],
+    "sphere_crossing.hpp": ["shape/sphere"],
+    "crossing.hpp": ["shape/cylinder", "shape/box"],
+    "plane_crossing.hpp": ["shape/plane", "shape/disc"],
+    "edge_crossing.hpp": ["shape/triangle"],
+    "hit_record.hpp": ["hit_record", "shape/sphere"],
+    "aabb.hpp": ["aabb", "shape/disc"],
+}
+OF_THEIR_NAME = ["math/interval.hpp", "math/double_double.hpp", "math/polynomial.hpp", "math/transform.hpp",
+                 "shape/sphere.hpp", "shape/plane.hpp", "shape/disc.hpp", "shape/ring.hpp", "shape/triangle.hpp",
+                 "shape/watertight_triangle.hpp", "shape/box.hpp", "shape/cylinder.hpp", "shape/torus.hpp"]
+TESTS.update({header: [header.removesuffix(".hpp")] for header in OF_THEIR_NAME})
+
+# What is written, and what it becomes. A space on both sides tells an operator from a template's brackets and from a sign.
+MISTAKES = [
+    (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > "),
+    (r" < ", " > "), (r" <= ", " >= "), (r" > ", " < "), (r" >= ", " <= "),
+    (r" == ", " != "), (r" \+ ", " - "), (r" - ", " + "), (r" && ", " || "), (r" \|\| ", " && "),
+    (r"\bevery\(", "some("), (r"\bsome\(", "every("), (r"\bmin\(", "max("), (r"\bmax\(", "min("),
+    (r"\babs\(", "("), (r"\bcopysign\(", "min("),
+    (r"(?<=\()0\.5(?=\))", "0.5000001"), (r"(?<=\()2(?=\))", "1.9999"), (r"(?<=\()4(?=\))", "4.0001"),
+    (r"(?<=\()8(?= \* u)", "0.125"), (r"(?<=\()4(?= \* u)", "0.0625"), (r"(?<=\()3(?= \* u)", "0.0625"),
+]
+
+
+class Mutation:
+    def __init__(self, header, position, length, replacement, text):
+        self.header, self.position, self.length, self.replacement = header, position, length, replacement
+        begin, end = text.rfind("\n", 0, position) + 1, text.find("\n", position)
+        self.line = text.count("\n", 0, position) + 1
+        self.was = text[begin:end].strip()
+        self.becomes = (text[begin:position] + replacement + text[position + length:end]).strip()
+
+    def applied(self, text):
+        return text[:self.position] + self.replacement + text[self.position + self.length:]
+
+
+def mutations(header):
+    text = (ROOT / "include/raio" / header).read_text()
+    for pattern, replacement in MISTAKES:
+        for found in re.finditer(pattern, text):
+            line = text[text.rfind("\n", 0, found.start()) + 1:found.end()].strip()
+            if not re.match(r"//|\*|#|template|requires|static_assert", line) and "//" not in line:
+                yield Mutation(header, found.start(), found.end() - found.start(), replacement, text)
+
+
+def outcome(mutation, folder, arguments):
+    """'caught', 'survived' or 'does not compile'."""
+    path = folder / "include/raio" / mutation.header
+    original = path.read_text()
+    path.write_text(mutation.applied(original))
+    try:
+        for test in TESTS[mutation.header]:
+            program = folder / "program"
+            compiled = subprocess.run(
+                [arguments.compiler, "-std=c++20", "-O1", "-w", "-DGLM_FORCE_XYZW_ONLY", f"-DRAIO_TEST_RAYS={arguments.rays}",
+                 f"-I{folder}/include", f"-I{ROOT}/tests", f"{ROOT}/tests/{test}.cpp", str(folder / "main.o"), "-o", str(program)],
+                capture_output=True)
+            if b"static assertion" in compiled.stderr or b"static_assert" in compiled.stderr:
+                return "caught"  # before the program runs
+            if compiled.returncode != 0:
+                return "does not compile"
+            try:
+                ran = subprocess.run([str(program), "--test-suite-exclude=nightly", "--abort-after=1"], capture_output=True,
+                                     timeout=arguments.timeout)
+            except subprocess.TimeoutExpired:
+                return "caught"
+            if ran.returncode != 0:
+                return "caught"
+        return "survived"
+    finally:
+        path.write_text(original)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--header", action="append", choices=sorted(TESTS), metavar="PATH", help="below include/raio; all if not given")
+    parser.add_argument("--count", type=int, help="that many, chosen at random; all if not given")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--rays", type=int, default=5000, help="of each comparison in the tests")
+    parser.add_argument("--timeout", type=float, default=120, help="seconds of one test; what takes longer is caught")
+    parser.add_argument("--compiler", default="g++")
+    parser.add_argument("--list", action="store_true", help="only say what would be tried")
+    arguments = parser.parse_args()
+
+    tried = [m for header in arguments.header or sorted(TESTS) for m in mutations(header)]
+    if arguments.count is not None and arguments.count < len(tried):
+        tried = random.Random(arguments.seed).sample(tried, arguments.count)
+    if arguments.list:
+        for m in tried:
+            print(f"{m.header}:{m.line}: {m.was}\n    {m.becomes}")
+        return 0
+
+    accepted = {line.split(" | ")[1] for line in ACCEPTED.read_text().splitlines() if " | " in line}
+    counts = {"caught": 0, "survived": 0, "accepted": 0, "does not compile": 0}
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        shutil.copytree(ROOT / "include", folder / "include")
+        subprocess.run([arguments.compiler, "-std=c++20", "-O1", "-c", f"{ROOT}/tests/main.cpp", "-o", str(folder / "main.o")], check=True)
+        for m in tried:
+            result = outcome(m, folder, arguments)
+            if result == "survived" and m.becomes in accepted:
+                result = "accepted"
+            counts[result] += 1
+            print(f"{result}: {m.header}:{m.line}", flush=True)
+            if result != "caught":
+                print(f"    {m.was}\n    {m.becomes}", flush=True)
+    compiled = sum(counts.values()) - counts["does not compile"]
+    print(", ".join(f"{count} {result}" for result, count in counts.items()) +
+          f"; {100 * (counts['caught'] + counts['accepted']) / max(compiled, 1):.1f} % of what compiles is caught or accepted")
+    return 1 if counts["survived"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
