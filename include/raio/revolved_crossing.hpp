@@ -61,22 +61,6 @@ RAIO_FN constexpr bounded_number<W> value_near(const polynomial<W, N>& p, const 
     return {p(s), p.noise()(place) + off * steepest};
 }
 
-/// A line that runs across the axis crosses twice where the curve has its height, and from a double root s is known to
-/// half of the digits only. The root of g, which is not double, tells it better.
-/// \param most  of |g| at a crossing
-template <class W>
-RAIO_FN constexpr void narrow(const polynomial<W, 3>& g, const polynomial<W, 2>& slope, const bound_t<W>& most, W& s,
-                              bound_t<W>& off) {
-    using E = bound_t<W>;
-    const auto roots = roots_between(g, max(W(0), s - W(off)), min(W(1), s + W(off)));
-    if (!roots.certain || roots.count != 1) return;
-    const polynomial_root<W>& root = roots.places[0];
-    E place = abs(E(s)) + off;
-    E least = abs(E(slope(root.t))) - slope.noise()(place) - E(2) * off * slope.derivative().magnitude(place);
-    if (!(least > E(0) && root.error + most / least < off)) return;
-    s = root.t, off = root.error + most / least;
-}
-
 }  // namespace detail
 
 /// The crossings in order of x; uv.x is s. The base of the axis is where the part of the line is seen from.
@@ -116,7 +100,7 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
                    product<6>(gap, product<0>(slant, slant));
 
     crossing_list<W, 12> list;
-    const auto [roots, begins_inside] = find_roots(f, W(0), W(1));
+    const auto roots = roots_between(f, W(0), W(1));
     list.certain = roots.certain;
     const auto g_slope = g.derivative();
     const auto gap_slope = gap.derivative();
@@ -126,11 +110,9 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
     const E n2_least = E(n2.coefficient[0]) - n2.error[0];
     for (const polynomial_root<W>& root : roots) {
         if (root.before == 0 && root.after == 0) continue;  // the line lies in the surface
-        W s = root.t;
-        E off = root.error;
+        const W s = root.t;
+        const E off = root.error;
         const bool simple = root.before * root.after < 0;
-        if (!simple) detail::narrow(g, g_slope, (abs(E(tilt)) + tilt_error) * E(part.reach), s, off);
-
         const auto level = detail::value_near(g, g_slope, s, off), beyond = detail::value_near(gap, gap_slope, s, off);
         W by_height = quotient(level.value, tilt, W(0));
         E height_error = detail::over(level.error + abs(E(by_height)) * tilt_error, tilt_least);

@@ -350,6 +350,20 @@ TEST_CASE_TEMPLATE("curved surface of revolution: straight lines and a parabola"
     CHECK(hits > normal_run / 20);
 }
 
+TEST_CASE_TEMPLATE("curved surface of revolution: across the axis, where roots are double, to the last digit", T, float,
+                   double) {
+    // The square of the radius is the height.
+    const curved_surface_of_revolution<T> dish{{0, 0, 0}, {0, 1, 0}, {{0, 0}, {1, 0}, {2, 3}, {3, 9}}};
+    for (int i = 1; i < 72; ++i) {
+        const oracle height = oracle(i) / 8;
+        hit_record<T> rec;
+        REQUIRE(dish.hit({{-9, T(i) / 8, 0}, {1, 0, 0}}, T(0), infinity<T>, rec));
+        CHECK(rec.t == rounded<T>(9 - sqrt(height)));
+        REQUIRE(dish.hit({{-9, T(i) / 8, 0}, {1, 0, 0}}, T(9), infinity<T>, rec));
+        CHECK(rec.t == rounded<T>(9 + sqrt(height)));
+    }
+}
+
 TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, float, double) {
     random_numbers random(35);
     const int rays = normal_run / 25;
