@@ -6,9 +6,11 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -23,13 +25,16 @@ constexpr int longest_side = 16384;  // of a picture, in pixels
 
 struct command_line {
     std::filesystem::path scene, image;
-    std::string integrator = "whitted";
+    std::string integrator;  // empty: as the scene is lit
+    std::optional<int> samples, depth;
     render::render_settings settings{.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
     bool quiet = false;
 };
 
-const render::integrator& chosen_integrator(const std::string& name) {
-    return *std::ranges::find(render::integrators(), name, &render::integrator::name);
+/// Without lamps all light comes from the sky and from what glows, which only paths find.
+const render::integrator& chosen_integrator(const std::string& name, const render::scene& scene) {
+    const std::string_view chosen = !name.empty() ? name : scene.lights.empty() ? "path" : "whitted";
+    return *std::ranges::find(render::integrators(), chosen, &render::integrator::name);
 }
 
 template <class Number>
@@ -73,20 +78,19 @@ command_line parsed(CLI::App& app, int argc, char** argv) {
     app.add_option("-o,--output", given.image,
                    "The picture, .png or .ppm (default: in this folder, named as the scene)")
         ->type_name("IMAGE");
-    app.add_option("--integrator", given.integrator, "How light is followed (default: " + given.integrator + ")" + how)
+    app.add_option("--integrator", given.integrator,
+                   "How light is followed (default: whitted, path for a scene without lamps)" + how)
         ->check(CLI::IsMember(names).description(""))
         ->type_name("NAME");
     const auto size = [&](const std::string& text) { read_size(text, given.settings); };
     app.add_option_function<std::string>("--size", size, "Pixels (default: 800x600)")->type_name("WxH");
-    const auto* samples_given =
-        app.add_option("--samples", given.settings.samples,
-                       "Rays for each pixel, a power of two at best (default: " + samples.substr(2) + ")")
-            ->check(from_to(1, 1 << 30))
-            ->type_name("N");
-    const auto* depth_given = app.add_option("--depth", given.settings.depth,
-                                             "How often light may bounce (default: " + depths.substr(2) + ")")
-                                  ->check(from_to(0, 1000))
-                                  ->type_name("N");
+    app.add_option("--samples", given.samples,
+                   "Rays for each pixel, a power of two at best (default: " + samples.substr(2) + ")")
+        ->check(from_to(1, 1 << 30))
+        ->type_name("N");
+    app.add_option("--depth", given.depth, "How often light may bounce (default: " + depths.substr(2) + ")")
+        ->check(from_to(0, 1000))
+        ->type_name("N");
     app.add_option("--threads", given.settings.threads, "They change the time, not the picture (default: one a core)")
         ->check(from_to(1, 1024))
         ->type_name("N");
@@ -96,18 +100,20 @@ command_line parsed(CLI::App& app, int argc, char** argv) {
     app.add_flag("--quiet", given.quiet, "No progress bar (nor is there one unless standard error is a terminal)");
     app.parse(argc, argv);
 
-    if (samples_given->empty()) given.settings.samples = chosen_integrator(given.integrator).samples;
-    if (depth_given->empty()) given.settings.depth = chosen_integrator(given.integrator).depth;
     if (given.image.empty()) given.image = given.scene.stem() += ".png";
     return given;
 }
 
 void run(const command_line& given) {
-    const render::world world(render::read_scene(given.scene));
+    render::scene scene = render::read_scene(given.scene);
     render::expect_writable(given.image);
-    render::progress progress(given.settings.height, given.quiet);
-    const auto picture =
-        render::rendered(world, chosen_integrator(given.integrator), given.settings, [&] { progress.step(); });
+    const render::integrator& integrator = chosen_integrator(given.integrator, scene);
+    render::render_settings settings = given.settings;
+    settings.samples = given.samples.value_or(integrator.samples);
+    settings.depth = given.depth.value_or(integrator.depth);
+    const render::world world(std::move(scene));
+    render::progress progress(settings.height, given.quiet);
+    const auto picture = render::rendered(world, integrator, settings, [&] { progress.step(); });
     render::write_image(picture, given.image);
 }
 
