@@ -52,9 +52,8 @@ struct blob {
         aabb<T> all;
         for (const metaball<T>& m : components) {
             if (!has_effect(m)) continue;
-            for (const vec3<T>& end : {m.center, m.center + m.axis}) {
-                all = hull(all, aabb<T>{end - vec3<T>(m.radius), end + vec3<T>(m.radius)});
-            }
+            const auto around = [&](const vec3<T>& p) { return aabb<T>{p - vec3<T>(m.radius), p + vec3<T>(m.radius)}; };
+            all = hull(all, hull(around(m.center), around(m.center + m.axis)));
         }
         return padded(padded(all));
     }
