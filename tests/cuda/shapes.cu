@@ -35,6 +35,8 @@ __global__ void every_shape(raio::ray<T>* rays, raio::hit_record<T>* records, co
     trace(raio::convex_polyhedron<T, std::span<const raio::half_space<T>>>{planes}, ray, rec);
     trace(raio::ring<T>{p[1], p[2], radius, p[0].y}, ray, rec);
     trace(raio::capsule<T>{p[1], p[2], radius}, ray, rec);
+    trace(raio::round_cone<T>{p[1], p[2], radius, p[0].y}, ray, rec);
+    trace(raio::paraboloid<T>{p[1], p[2], radius}, ray, rec);
     trace(raio::regular_solid<20>(p[1], radius), ray, rec);
     trace(raio::group{raio::sphere<T>{p[1], radius}, raio::box<T>{p[1], p[2]}}, ray, rec);
     trace(raio::difference_of(raio::sphere<T>{p[1], radius}, raio::box<T>{p[1], p[2]}), ray, rec);
