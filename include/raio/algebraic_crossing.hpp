@@ -182,7 +182,7 @@ RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N
 template <real T, real N, real R, class W>
 RAIO_FN constexpr void record_gradient(const ray<R>& ray, const crossing<W>& c, const vec3<W>& gradient, T bend,
                                        hit_record<T, N>& rec) {
-    using Q = quick_t<N>;
+    using Q = working_t<N>;
     record_point(ray, c, rec, bend);
     vec3<Q> direction(normalize(vec3<Q>(vec3<W>(ray.direction)))), outward(scaled_into_range<Q>(vec3<Q>(gradient)));
     Q steep = length(outward);

@@ -75,7 +75,7 @@ template <class W, real T, real R, real N, class SideGradient>
 RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, T bend,
                                      const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec,
                                      SideGradient side_gradient) {
-    using Q = quick_t<N>;
+    using Q = working_t<N>;
     vec3<W> axis = vec3<W>(top) - vec3<W>(base);
     vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;
     W axis2 = dot(axis, axis), height = dot(from_base, axis) / axis2;

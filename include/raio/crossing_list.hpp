@@ -100,9 +100,9 @@ requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(cons
         }
         return inside;
     };
-    if constexpr (detail::has_quick<T, R>) {
+    if constexpr (detail::works_first<T, R>) {
         detail::keep_as_stored<T>(shape, ray);
-        const auto quick = shape.template crossings<quick_t<T>>(ray);
+        const auto quick = shape.template crossings<working_t<T>>(ray);
         bool settled = quick.certain;
         for (const auto& c : quick) settled = settled && T(c.t - c.error) == T(c.t + c.error);
         if (settled) return between_crossings(quick);

@@ -60,7 +60,7 @@ template <class W, real R, real T, real N>
 RAIO_FN constexpr void record_flat(const aabb<T>& corners, const vec3<W>& e1, const vec3<W>& e2, const ray<R>& ray,
                                    const crossing<W>& at, hit_record<T, N>& rec) {
     vec3<W> normal = cross(scaled_into_range<T>(e1), scaled_into_range<T>(e2));
-    vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(normal)));
+    vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));
     record_point_between(corners, ray, at, rec);
     rec.normal = outward * select(at.entering, N(1), N(-1));
 }

@@ -60,19 +60,19 @@ RAIO_FN constexpr crossing<W> settled_in_window(const chord<W>& c, T t_min, T t_
 
 /// Is there a quicker precision, and does it hold the numbers of the ray without rounding them?
 template <real T, real R>
-inline constexpr bool has_quick =
-    !std::same_as<quick_t<T>, exact_t<T>> && unit_roundoff<quick_t<T>> <= unit_roundoff<R>;
+inline constexpr bool works_first =
+    !std::same_as<working_t<T>, exact_t<T>> && unit_roundoff<working_t<T>> <= unit_roundoff<R>;
 
 /// Out of line: where this is rare, it must not cost the common case its registers.
 template <real T, class Shape, real R, class Then>
 [[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_exactly(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
                                                              Then then) {
     auto exact = first_in_window(shape.template crossings<exact_t<T>>(ray), t_min, t_max);
-    if constexpr (has_quick<T, R>) {
+    if constexpr (works_first<T, R>) {
         if (!exact.exists) {
             // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
             // range.
-            auto quick = shape.template crossings<quick_t<T>>(ray);
+            auto quick = shape.template crossings<working_t<T>>(ray);
             auto verdict = settled_in_window<question::whether>(quick, t_min, t_max);
             if (verdict.certain && verdict.exists) return then(verdict);
         }
@@ -83,9 +83,9 @@ template <real T, class Shape, real R, class Then>
 /// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
 template <question Asked, real T, class Shape, real R, class Then>
 RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
-    if constexpr (has_quick<T, R>) {
+    if constexpr (works_first<T, R>) {
         keep_as_stored<T>(shape, ray);
-        auto quick = settled_in_window<Asked>(shape.template crossings<quick_t<T>>(ray), t_min, t_max);
+        auto quick = settled_in_window<Asked>(shape.template crossings<working_t<T>>(ray), t_min, t_max);
         if (quick.certain) [[likely]]
             return then(quick);
     }
@@ -125,9 +125,9 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
         const mask_t<T> meets = some(c.near.exists, c.far.exists);  // an end out of T's range is still an end
         return interval<T>{select(meets, T(c.near.t), infinity<T>), select(meets, T(c.far.t), -infinity<T>)};
     };
-    if constexpr (detail::has_quick<T, R>) {
+    if constexpr (detail::works_first<T, R>) {
         detail::keep_as_stored<T>(shape, ray);
-        auto quick = shape.template crossings<quick_t<T>>(ray);
+        auto quick = shape.template crossings<working_t<T>>(ray);
         const bool meets = some(quick.near.exists, quick.far.exists);
         const auto settled = [&](const auto& c) {
             return every(c.certain, some(!meets, T(c.t - c.error) == T(c.t + c.error)));

@@ -65,7 +65,7 @@ public:
     /// Each side of the image is the sum of what the sides of the primitive's box contribute (Arvo, Graphics Gems,
     /// 1990).
     RAIO_FN constexpr aabb<T> bounds() const requires(bounded<P>) {
-        using B = quick_t<T>;
+        using B = working_t<T>;
         const aabb<T> box = primitive().bounds();
         if (!(box.min.x <= box.max.x)) return box;
         vec3<B> low(map_.origin), high = low, size = abs(low);

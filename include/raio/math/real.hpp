@@ -29,7 +29,7 @@ struct one_number {
     using scalar = T;             ///< the number in one lane
     using mask = bool;            ///< what a comparison answers
     using index = std::uint32_t;  ///< what counts the members of an aggregate
-    using quick = T;              ///< the precision that formulas are tried in first
+    using working = T;            ///< the precision that formulas are tried in first
     using exact = T;              ///< the precision that settles what the first one left open
     using bound = T;              ///< what is good enough to bound the errors of T with
 };
@@ -43,14 +43,14 @@ struct real_traits : detail::one_number<T> {};
 /// A product of two floats is exact in double: formulas are computed there and rounded to float once.
 template <>
 struct real_traits<float> : detail::one_number<float> {
-    using quick = strict_double;
+    using working = strict_double;
     using exact = double_double;
 };
 
 /// Nothing in the hardware is wider than double: formulas are computed with two of them.
 template <>
 struct real_traits<double> : detail::one_number<double> {
-    using quick = strict_double;
+    using working = strict_double;
     using exact = double_double;
 };
 
@@ -61,7 +61,7 @@ using mask_t = typename real_traits<T>::mask;
 template <class T>
 using index_t = typename real_traits<T>::index;
 template <class T>
-using quick_t = typename real_traits<T>::quick;
+using working_t = typename real_traits<T>::working;
 template <class T>
 using exact_t = typename real_traits<T>::exact;
 template <class T>
@@ -193,7 +193,7 @@ inline constexpr double unit_roundoff = [] {
 
 /// The first of the precisions of T that has more digits than T; T itself where there is none.
 template <class T>
-using wider_t = std::conditional_t<(unit_roundoff<quick_t<T>> < unit_roundoff<T>), quick_t<T>, exact_t<T>>;
+using wider_t = std::conditional_t<(unit_roundoff<working_t<T>> < unit_roundoff<T>), working_t<T>, exact_t<T>>;
 
 /// The smallest number with all its digits: what is below has lost some. The same for every number type of the same
 /// hardware.

@@ -165,7 +165,7 @@ struct real_traits<pack<S, N>> {
     using scalar = S;
     using mask = typename pack<S, N>::mask;
     using index = pack<std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>, N>;
-    using quick = pack<S, N>;
+    using working = pack<S, N>;
     using exact = pack<S, N>;
     using bound = pack<S, N>;
 };

@@ -55,7 +55,7 @@ struct bilinear_patch {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
-        using Q = quick_t<N>;
+        using Q = working_t<N>;
         const auto [edge_u, edge_v, twist, reach] = edges<W>();
         W quarter(0.25), size = norm1(edge_u * quarter) + norm1(reach * quarter), scale = quarter / size;
         vec3<Q> a(edge_u * scale), w(edge_v * scale), turn(twist * scale),

@@ -89,7 +89,7 @@ struct convex_polyhedron {
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         const half_space<T> plane = plane_of(c.face);
         const vec3<T>& n = plane.normal;
-        vec3<N> outward(normalize_from<T>(vec3<quick_t<N>>(n)));
+        vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(n)));
         record_point(ray, c, rec);
         const auto axis_at = [&](const T& n_i) { return quotient(-plane.offset, n_i, T(0)); };
         put_onto_plane(n, {axis_at(n.x), axis_at(n.y), axis_at(n.z)}, rec);

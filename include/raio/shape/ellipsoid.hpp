@@ -46,7 +46,7 @@ struct ellipsoid {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = quick_t<N>;
+        using Q = working_t<N>;
         vec3<W> stretch = to_sphere<W>();
         vec3<W> on_sphere = ((vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t) * stretch;
         vec3<N> outward(normalize_from<T>(vec3<Q>(on_sphere * stretch)));

@@ -69,7 +69,7 @@ struct heightfield {
     }
 
 private:
-    using W = quick_t<T>;  // of the walk
+    using W = working_t<T>;  // of the walk
 
     /// Cells along x, or y.
     std::uint32_t cells(glm::length_t axis) const {

@@ -79,7 +79,7 @@ struct round_cone {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = quick_t<N>;
+        using Q = working_t<N>;
         vec3<W> axis = vec3<W>(top) - vec3<W>(base), step = vec3<W>(ray.direction) * c.t;
         vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + step;
         vec3<W> from_top = (vec3<W>(ray.origin) - vec3<W>(top)) + step;

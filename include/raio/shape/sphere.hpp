@@ -49,7 +49,7 @@ struct sphere {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = quick_t<N>;
+        using Q = working_t<N>;
         vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
         vec3<N> outward(normalize_from<T>(vec3<Q>(from_center)));
         record_point(ray, c, rec, radius);

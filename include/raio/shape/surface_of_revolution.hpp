@@ -113,7 +113,7 @@ struct revolved_curve {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = quick_t<N>;
+        using Q = working_t<N>;
         const auto curve = beside_axis<W>();
         const W s = c.uv.x;
         vec3<W> p = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;

@@ -70,7 +70,7 @@ struct teardrop {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = quick_t<N>;
+        using Q = working_t<N>;
         vec3<W> axis = vec3<W>(tip) - vec3<W>(bottom);
         vec3<W> p = (vec3<W>(ray.origin) - vec3<W>(bottom)) + vec3<W>(ray.direction) * c.t;
         W over_axis2 = W(1) / dot(axis, axis), h = dot(p, axis) * over_axis2, below = W(1) - h, r(radius);

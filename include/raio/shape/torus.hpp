@@ -126,7 +126,7 @@ struct torus {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = quick_t<N>;
+        using Q = working_t<N>;
         vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
         const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
         vec3<Q> p = f.to_local(vec3<Q>(from_center));
