@@ -102,6 +102,35 @@ def surface_of_revolution(profile):
             f"lathe {{ linear_spline {len(profile)}, {', '.join(pov(point) for point in profile)} sturm }}")
 
 
+def curved_surface_of_revolution(profile):
+    """The same of Bezier segments, each of which begins where the last one ended; POV-Ray has that point twice."""
+    points = [profile[i + k] for i in range(0, len(profile) - 1, 3) for k in range(4)]
+    return (f"curved_surface_of_revolution 0 0 0 0 1 0 {len(profile)} {words(*profile)}",
+            f"lathe {{ bezier_spline {len(points)}, {', '.join(pov(point) for point in points)} sturm }}")
+
+
+def bezier_curve(controls, radii):
+    """POV-Ray's cubic splines go from the second point to the third, at half of the difference of their neighbours."""
+    balls = [center + (radius,) for center, radius in zip(controls, radii)]
+    first, last = balls[0], balls[3]
+    before = plus(last, times(minus(balls[1], first), -6.0))
+    after = plus(first, times(minus(last, balls[2]), 6.0))
+    return (f"bezier_curve {words(*controls, *radii)}",
+            "sphere_sweep { cubic_spline 4, " +
+            ", ".join(f"{pov(ball[:3])}, {ball[3]:.17g}" for ball in (before, first, last, after)) + " }")
+
+
+def blob(threshold, components):
+    """Of (center, radius, strength), and of (center, other center, radius, strength)."""
+    ours, theirs = [], []
+    for *centers, radius, strength in components:
+        name, povray_name = ("", "sphere") if len(centers) == 1 else ("capsule ", "cylinder")
+        ours.append(f"{name}{words(*centers, radius, strength)}")
+        theirs.append(f"{povray_name} {{ {', '.join(pov(c) for c in centers)}, {radius}, {strength} }}")
+    return (f"blob {words(threshold)} {len(components)} {' '.join(ours)}",
+            f"blob {{ threshold {threshold} {' '.join(theirs)} sturm }}")
+
+
 def cone(base, apex, radius, is_open=False):
     name, ending = ("open_cone", " open") if is_open else ("cone", "")
     return f"{name} {words(base, apex, radius)}", f"cone {{ {pov(base)}, {radius}, {pov(apex)}, 0{ending} }}"
@@ -178,6 +207,13 @@ SCENES = {
                             (0, 0, 2): -1.0, (1, 1, 1): 0.4, (0, 0, 0): 0.35})],
     "turned": [surface_of_revolution([(0.0, -1.0), (0.9, -1.0), (0.9, -0.9), (0.2, -0.7), (0.15, 0.0), (0.8, 0.6),
                                       (1.0, 1.5), (0.9, 1.5), (0.7, 0.7), (0.0, 0.1)])],
+    "curves": [curved_surface_of_revolution([(0.0, -1.5), (0.6, -1.5), (0.9, -1.2), (0.9, -0.6), (0.9, 0.2), (0.2, 0.2),
+                                             (0.3, 0.9), (0.35, 1.2), (0.6, 1.3), (0.7, 1.4)]),
+               bezier_curve([(1.2, -1.0, 0.5), (3.0, -1.0, 0.0), (0.8, 1.5, -1.0), (2.4, 1.4, 0.0)], (0.3, 0.3, 0.2, 0.1)),
+               bezier_curve([(-2.5, -1.0, 0.0), (-0.5, -1.0, 0.0), (-2.5, 1.5, 0.0), (-0.8, 1.5, 0.0)], (0.1,) * 4)],
+    "blobs": [blob(0.5, [((-1.2, 0.0, 0.0), 1.0, 1.0), ((-0.4, 0.3, 0.3), 1.0, 1.0), ((-0.8, 0.0, 1.0), 0.7, -1.0)]),
+              blob(0.4, [((0.8, -1.0, 0.0), (1.4, 1.0, -0.5), 0.7, 1.0), ((1.2, 0.0, 0.4), (2.4, 0.2, 0.0), 0.6, 1.5),
+                         ((1.1, 0.0, 0.8), 0.5, -2.0)])],
     "csg": [difference(intersection(box((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)), sphere((0.0, 0.0, 0.0), 1.35)),
                        cylinder(times(X, -2.0), times(X, 2.0), 0.6), cylinder(times(Y, -2.0), times(Y, 2.0), 0.6),
                        cylinder(times(Z, -2.0), times(Z, 2.0), 0.6)),
