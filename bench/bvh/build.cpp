@@ -32,6 +32,8 @@ int main(int argc, char** argv) {
         add_raio("raio_low", raio::bvh_quality::low);
         add_raio("raio", raio::bvh_quality::standard);
         add_raio("raio_high", raio::bvh_quality::high);
+        add(threads, "raio_compact", mesh,
+            [=](benchmark::State&) { return bench::raio_compact_tree(*mesh.mesh, threads); });
 #ifdef RAIO_BENCH_EMBREE
         for (const char* isa : bench::embree_isas) {
             const auto add_embree = [&](const char* name, RTCBuildQuality quality) {

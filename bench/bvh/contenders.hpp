@@ -35,6 +35,12 @@ inline std::unique_ptr<triangle_tree> raio_tree(const std::vector<triangle>& tri
     return std::make_unique<triangle_tree>(triangles, raio::bvh_options{.quality = quality, .threads = threads});
 }
 
+/// Leaves the corners of the triangles in the mesh.
+using compact_tree = raio::bvh<raio::mesh_triangle<float>>;
+inline std::unique_ptr<compact_tree> raio_compact_tree(const bench::mesh& of, unsigned threads = 1) {
+    return std::make_unique<compact_tree>(of, raio::bvh_options{.threads = threads});
+}
+
 #ifdef RAIO_BENCH_EMBREE
 /// Not built yet.
 inline std::unique_ptr<peers::embree> embree_tree(const bench::mesh& of, const peers::embree_options& options) {

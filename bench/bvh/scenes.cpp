@@ -78,10 +78,8 @@ std::string models() {
 
 std::vector<raio::triangle<float>> soup(const mesh& from) {
     std::vector<raio::triangle<float>> triangles;
-    triangles.reserve(from.triangles.size());
-    for (const auto& [a, b, c] : from.triangles) {
-        triangles.push_back({from.vertices[a], from.vertices[b], from.vertices[c]});
-    }
+    triangles.reserve(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) triangles.push_back(from[i]);
     return triangles;
 }
 

@@ -1,23 +1,17 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include <raio/shape/triangle.hpp>
+#include <raio/compose/mesh.hpp>
 
 /// \file
 /// What is traced: meshes of many kinds, all float, and a camera for each.
 
 namespace bench {
 
-/// Triangles that share their vertices: three indices for each.
-struct mesh {
-    std::vector<raio::vec3<float>> vertices;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-};
+using mesh = raio::mesh<float>;
 
 /// The triangles one by one.
 std::vector<raio::triangle<float>> soup(const mesh& from);

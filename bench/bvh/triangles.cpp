@@ -9,11 +9,12 @@ void add(const bench::scene& scene) {
     const bench::lazy_mesh mesh(scene.mesh);
     const auto standard = bench::lazy_raio_tree(mesh.triangles, bvh_quality::standard);
     const auto rays = bench::lazy_ray_sets(mesh, standard, scene.camera);
-    const auto add_raio = [&](const char* name, const bench::lazy<bench::triangle_tree>& tree) {
+    const auto add_raio = [&](const char* name, const auto& tree) {
         bench::add_tree<raio::hit_record<float>>(scene.name, name, tree, rays);
     };
     add_raio("raio", standard);
     add_raio("raio_high", bench::lazy_raio_tree(mesh.triangles, bvh_quality::high));
+    add_raio("raio_compact", bench::lazy([of = mesh.mesh] { return bench::raio_compact_tree(*of); }));
 #ifdef RAIO_BENCH_EMBREE
     for (const char* isa : bench::embree_isas) {
         const auto add_embree = [&](const char* name, const peers::embree_options& options) {
