@@ -18,7 +18,7 @@ template <class T>
 void add() {
     const auto random_doughnut = [](bench::generator& random) {
         const doughnut<T> f{random.between<T>(0.6, 1.0), random.between<T>(0.1, 0.5)};
-        const T reach = f.major_radius + f.minor_radius, tolerance(1e-4);
+        const T reach = f.major_radius + f.minor_radius, tolerance = T(1e-4);
         const raio::aabb<T> box{{-reach, -reach, -f.minor_radius}, {reach, reach, f.minor_radius}};
         return raio::signed_distance{box, tolerance, T(1), f};
     };
