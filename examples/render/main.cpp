@@ -33,7 +33,8 @@ struct command_line {
 
 /// Without lamps all light comes from the sky and from what glows, which only paths find.
 const render::integrator& chosen_integrator(const std::string& name, const render::scene& scene) {
-    const std::string_view chosen = !name.empty() ? name : scene.lights.empty() ? "path" : "whitted";
+    const std::string_view by_light = scene.lights.empty() ? "path" : "whitted";
+    const std::string_view chosen = name.empty() ? by_light : name;
     return *std::ranges::find(render::integrators(), chosen, &render::integrator::name);
 }
 
