@@ -1,6 +1,7 @@
 // Compiled, never run: what a kernel can ask of every shape.
 #include <raio/raio.hpp>
 
+#include <array>
 #include <span>
 
 namespace {
@@ -19,7 +20,8 @@ __device__ void trace(const Shape& shape, raio::ray<T>& ray, raio::hit_record<T>
 
 template <class T>
 __global__ void every_shape(raio::ray<T>* rays, raio::hit_record<T>* records, const raio::vec3<T>* p,
-                            std::span<const raio::half_space<T>> planes) {
+                            std::span<const raio::half_space<T>> planes,
+                            std::span<const raio::algebraic_term<T>> terms) {
     raio::ray<T>& ray = rays[threadIdx.x];
     raio::hit_record<T>& rec = records[threadIdx.x];
     const T radius = p[0].x;
@@ -36,7 +38,30 @@ __global__ void every_shape(raio::ray<T>* rays, raio::hit_record<T>* records, co
     trace(raio::ring<T>{p[1], p[2], radius, p[0].y}, ray, rec);
     trace(raio::capsule<T>{p[1], p[2], radius}, ray, rec);
     trace(raio::round_cone<T>{p[1], p[2], radius, p[0].y}, ray, rec);
+    trace(raio::ellipsoid<T>{p[1], p[2]}, ray, rec);
+    trace(raio::parallelogram<T>{p[1], p[2], p[3]}, ray, rec);
+    trace(raio::bilinear_patch<T>{p[1], p[2], p[3], p[4]}, ray, rec);
+    trace(raio::cone<T>{p[1], p[2], radius}, ray, rec);
+    trace(raio::open_cone<T>{p[1], p[2], radius}, ray, rec);
+    trace(raio::frustum<T>{p[1], p[2], radius, p[0].y}, ray, rec);
+    trace(raio::open_frustum<T>{p[1], p[2], radius, p[0].y}, ray, rec);
     trace(raio::paraboloid<T>{p[1], p[2], radius}, ray, rec);
+    trace(raio::open_paraboloid<T>{p[1], p[2], radius}, ray, rec);
+    trace(raio::hyperboloid<T>{p[1], p[2], radius, p[0].y}, ray, rec);
+    trace(raio::open_hyperboloid<T>{p[1], p[2], radius, p[0].y}, ray, rec);
+    trace(raio::two_sheet_hyperboloid<T>{p[1], p[2], radius, p[0].y}, ray, rec);
+    trace(raio::open_two_sheet_hyperboloid<T>{p[1], p[2], radius, p[0].y}, ray, rec);
+    trace(raio::quadric<T>{p[1], p[2], p[3], p[4], p[5], radius}, ray, rec);
+    trace(raio::open_quadric<T>{p[1], p[2], p[3], p[4], p[5], radius}, ray, rec);
+    trace(raio::algebraic<T, 8, true, std::span<const raio::algebraic_term<T>>>{p[1], p[2], terms}, ray, rec);
+    trace(raio::steiner<T>{p[1], radius}, ray, rec);
+    trace(raio::teardrop<T>{p[1], p[2], radius}, ray, rec);
+    trace(raio::blob<T>{{{{p[1], radius}, {p[2], radius, T(1), p[3]}}}, p[0].y}, ray, rec);
+    trace(raio::bezier_curve<T>{p[1], p[2], p[3], p[4], radius, radius, radius, p[0].y}, ray, rec);
+    trace(raio::oriented_box(p[1], p[2], p[3], p[4]), ray, rec);
+    trace(raio::tetrahedron(p[1], p[2], p[3], p[4]), ray, rec);
+    trace(raio::pyramid(std::array{p[1], p[2], p[3]}, p[4]), ray, rec);
+    trace(raio::prism(std::array{p[1], p[2], p[3]}, p[4]), ray, rec);
     trace(raio::regular_solid<20>(p[1], radius), ray, rec);
     trace(raio::group{raio::sphere<T>{p[1], radius}, raio::box<T>{p[1], p[2]}}, ray, rec);
     trace(raio::difference_of(raio::sphere<T>{p[1], radius}, raio::box<T>{p[1], p[2]}), ray, rec);
@@ -44,6 +69,8 @@ __global__ void every_shape(raio::ray<T>* rays, raio::hit_record<T>* records, co
 }
 
 template __global__ void every_shape(raio::ray<float>*, raio::hit_record<float>*, const raio::vec3<float>*,
-                                     std::span<const raio::half_space<float>>);
+                                     std::span<const raio::half_space<float>>,
+                                     std::span<const raio::algebraic_term<float>>);
 template __global__ void every_shape(raio::ray<double>*, raio::hit_record<double>*, const raio::vec3<double>*,
-                                     std::span<const raio::half_space<double>>);
+                                     std::span<const raio::half_space<double>>,
+                                     std::span<const raio::algebraic_term<double>>);
