@@ -37,7 +37,7 @@ def chart(measured, number, percent):
         elements.append(text(LEFT - 6, y + BAR - 3, call, "end"))
         elements.append(f'<rect x="{LEFT}" y="{y:.1f}" width="{length:.1f}" height="{BAR - 2}" '
                         f'fill="{COLORS.get(call, PEER)}"/>')
-        elements.append(text(LEFT + length + 5, y + BAR - 3, f"{nanoseconds:.3g}"))
+        elements.append(text(LEFT + length + 5, y + BAR - 3, tables.shown(nanoseconds)))
         y += BAR
     title = f"ns per test, {number}, {percent} % hits; each shape has its own scale"
     height = y + GAP

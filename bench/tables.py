@@ -14,6 +14,11 @@ def medians(results):
             and entry["run_name"].split("/")[3] in PERCENTS}  # others are no shapes
 
 
+def shown(value):
+    """Three digits, and all of a larger number's."""
+    return f"{value:.3g}" if value < 999.5 else f"{value:,.0f}"
+
+
 def calls(measured, shape):
     return list(dict.fromkeys(key[1] for key in measured if key[0] == shape))
 
@@ -28,7 +33,7 @@ def cells(measured, shape, call, of=lambda nanoseconds, key: nanoseconds):
     for number in NUMBERS:
         for percent in PERCENTS:
             key = (shape, call, number, percent)
-            yield f"{of(measured[key][0], key):.3g}" if key in measured else ""
+            yield shown(of(measured[key][0], key)) if key in measured else ""
 
 
 def markdown(results):
