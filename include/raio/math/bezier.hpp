@@ -5,6 +5,9 @@
 namespace raio {
 
 /// A cubic Bezier curve, (1 - u)^3 v0 + 3 (1 - u)^2 u v1 + 3 (1 - u) u^2 v2 + u^3 v3, less v0, as a polynomial in u.
+///
+/// With the sizes of the three differences added up, the middle one twice, a coefficient is off by up to three
+/// roundings of three times that: by less than 16.
 template <real W, real T>
 RAIO_FN constexpr polynomial<W, 3> bezier_polynomial(const T& v0, const T& v1, const T& v2, const T& v3) {
     using E = bound_t<W>;

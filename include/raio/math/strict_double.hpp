@@ -32,9 +32,10 @@ RAIO_FN constexpr double rounded_product(double a, double b) {
 #endif
 }
 
-/// Up to g++ 13 a float that was made of a double can come out as that double again, never rounded, when the optimiser
+/// With g++ 12 a float that was made of a double can come out as that double again, never rounded, when the optimiser
 /// has packed two of the conversions into one vector. So it does not learn what the floats of an argument were made of:
-/// for all it knows they may have changed here, in memory, where they are floats. Costs nothing if they lie there.
+/// for all it knows they may have changed here, in memory, where they are floats. Costs nothing if they lie there. (Of
+/// g++ 13 it is not known.)
 template <class T, class... Arguments>
 RAIO_FN constexpr void keep_as_stored([[maybe_unused]] const Arguments&... arguments) {
 #if defined(__GNUC__) && __GNUC__ < 14 && !defined(__clang__) && !defined(__CUDA_ARCH__)
