@@ -75,6 +75,27 @@ RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const cros
             select(mask, a.uv, b.uv)};
 }
 
+/// Where a function is zero that has this value at t = 0 and, all the way to there, this slope: one step of Newton's
+/// method.
+/// \param slope_error  how far the slope may be from that anywhere on the way
+template <real W>
+RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value_error, const W& slope,
+                                         const bound_t<W>& slope_error) {
+    using E = bound_t<W>;
+    W per_value = quotient(W(1), slope, W(0)), t = -value * per_value;
+    E size = abs(E(slope));
+    // With the slope above twice its error, 1 / (|slope| - error) is at most 2 / |slope|.
+    E error = E(2) * (value_error + abs(E(t)) * slope_error) * abs(E(per_value)) + E(4 * unit_roundoff<W>) * abs(E(t));
+    // No slope at all is certain where no term of it has a size: not where one was too small for its digits, or is not
+    // in the range.
+    const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= with_underflow<W>(E(0)));
+    return {.exists = every(size > tie<W>(slope_error), in_range),
+            .certain = every(size >= E(2) * slope_error, in_range, has_digits),
+            .t = t,
+            .error = with_underflow<W>(error),
+            .entering = slope < W(0)};
+}
+
 /// The chord of a line that is inside everywhere.
 template <real W>
 RAIO_FN constexpr chord<W> everywhere() {

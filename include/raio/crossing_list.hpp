@@ -63,11 +63,11 @@ RAIO_FN constexpr crossing<W> first_in_window(const crossing_list<W, N>& list, T
     }
     return {false, list.certain, W(0), bound_t<W>(0), false};
 }
-template <detail::question Asked, real T, class W, std::size_t N>
+template <real T, class W, std::size_t N>
 RAIO_FN constexpr crossing<W> settled_in_window(const crossing_list<W, N>& list, T t_min, T t_max) {
     if (list.certain) {
         for (const crossing<W>& c : list) {
-            crossing<W> settled = detail::settled_in_window<Asked>(c, t_min, t_max);
+            crossing<W> settled = detail::settled_in_window(c, t_min, t_max);
             if (settled.exists || !settled.certain) return settled;
         }
     }
@@ -104,7 +104,7 @@ requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(cons
         detail::keep_as_stored<T>(shape, ray);
         const auto quick = shape.template crossings<working_t<T>>(ray);
         bool settled = quick.certain;
-        for (const auto& c : quick) settled = settled && T(c.t - c.error) == T(c.t + c.error);
+        for (const auto& c : quick) settled = settled && detail::rounds_to_one<T>(c);
         if (settled) return between_crossings(quick);
     }
     return between_crossings(shape.template crossings<exact_t<T>>(ray));

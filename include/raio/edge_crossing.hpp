@@ -45,6 +45,26 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
     return {c, size, u, v, det_error, u_error, v_error};
 }
 
+/// What is missing of a crossing: t, u and v are that of the small vector between the two points that it names, of the
+/// ray and of the edges.
+template <class X, class W, real T>
+RAIO_FN constexpr crossing<W> correct_edges(const vec3<T>& corner, const vec3<X>& e1, const vec3<X>& e2,
+                                            const nearby_ray<X, W>& ray, const crossing<W>& c) {
+    using E = bound_t<X>;
+    auto [p, p_error] = ray.seen_from(corner);
+    vec3<X> along1 = e1 * X(c.uv.x), along2 = e2 * X(c.uv.y), apart = p - (along1 + along2);
+    raio::ray<W> rest{vec3<W>(apart), ray.direction};
+    vec3<W> zero(W(0)), edge1(e1), edge2(e2);
+    edge_crossing<W> missing = cross_edges(zero, edge1, edge2, rest);
+
+    // t is apart.(e1 x e2) / det: so much more for the error of `apart`, and for products too small for their digits.
+    E lengths = norm1(vec3<E>(p)) + norm1(vec3<E>(along1)) + norm1(vec3<E>(along2));
+    E error = p_error + E(8 * unit_roundoff<X>) * lengths, length2 = norm1(vec3<E>(edge2));
+    E lost = error * norm1(vec3<E>(edge1)) * length2 + E(least_normal<W>) * (E(1) + length2);
+    missing.at.error += E(2) * quotient(lost, E(missing.size), E(0));
+    return missing.at;
+}
+
 /// Records a point that lies between corners: seen edge-on, the computed one may lie beyond them.
 template <class W, real R, real T, real N>
 RAIO_FN constexpr void record_point_between(const aabb<T>& corners, const ray<R>& ray, const crossing<W>& at,

@@ -2,6 +2,7 @@
 
 #include <raio/crossing.hpp>
 #include <raio/hit_record.hpp>
+#include <raio/refine.hpp>
 
 namespace raio {
 
@@ -13,19 +14,8 @@ template <real W>
 RAIO_FN constexpr crossing<W> cross_plane(const vec3<W>& normal, const vec3<W>& direction, const W& height,
                                           const bound_t<W>& height_error) {
     using E = bound_t<W>;
-    constexpr double u = unit_roundoff<W>;
-    W speed = dot(normal, direction), per_height = quotient(W(1), speed, W(0)), t = -height * per_height;
-    E speed_error = E(4 * u) * dot(abs(vec3<E>(normal)), abs(vec3<E>(direction))), size = abs(E(speed));
-    // With the speed above twice its error, 1 / (|speed| - error) is at most 2 / |speed|.
-    E error = E(2) * (height_error + abs(E(t)) * speed_error) * abs(E(per_height)) + E(4 * u) * abs(E(t));
-    // No speed at all is certain where no term of it has a size: not where one was too small for its digits, or is not
-    // in the range.
-    const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= with_underflow<W>(E(0)));
-    return {.exists = every(size > tie<W>(speed_error), in_range),
-            .certain = every(size >= E(2) * speed_error, in_range, has_digits),
-            .t = t,
-            .error = with_underflow<W>(error),
-            .entering = speed < W(0)};
+    E speed_error = E(4 * unit_roundoff<W>) * dot(abs(vec3<E>(normal)), abs(vec3<E>(direction)));
+    return cross_zero(height, height_error, dot(normal, direction), speed_error);
 }
 
 /// The signed height of `origin` above the plane through `point`, times the length of the normal, and its error bound.
@@ -41,6 +31,16 @@ RAIO_FN constexpr plane_height<W> height_above(const vec3<W>& normal, const vec3
     vec3<W> from_point = vec3<W>(origin) - vec3<W>(point);
     E terms = dot(abs(vec3<E>(normal)), abs(vec3<E>(from_point)));
     return {dot(normal, from_point), with_underflow<W>(E(5 * unit_roundoff<W>) * terms)};
+}
+
+/// What is missing of a crossing with the plane through `point`.
+template <class X, class W, real T>
+RAIO_FN constexpr crossing<W> correct_plane(const vec3<T>& normal, const vec3<T>& point, const nearby_ray<X, W>& ray) {
+    using E = bound_t<X>;
+    auto [p, p_error] = ray.seen_from(point);
+    vec3<X> n(normal);
+    E size = norm1(vec3<E>(n)), error = p_error + E(5 * unit_roundoff<X>) * norm1(vec3<E>(p));
+    return cross_plane(vec3<W>(n), ray.direction, W(dot(n, p)), size * error);
 }
 
 /// Where a line crosses a plane, and how far from a point of that plane: the square of the distance and its error

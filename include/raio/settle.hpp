@@ -2,16 +2,17 @@
 
 #include <raio/crossing.hpp>
 #include <raio/hit_record.hpp>
+#include <raio/refine.hpp>
 
 /// \file
 /// How a crossing is settled beyond doubt, and recorded.
 ///
 /// For float and double a shape's formula is tried in strict_double. If every decision and the last bit of t are then
-/// beyond the error, that is the answer; if not, it is evaluated again in double_double. So t is the exact crossing,
-/// correctly rounded, and a ray that just misses misses (Ziv, ACM TOMS 17(3), 1991, rounds elementary functions like
-/// this; Shewchuk, 1997, the signs of determinants). A float needs the second look in a few cases of a thousand. A
-/// double needs it for the last bit of every t, but not for a verdict: misses and `occluded` cost what they cost a
-/// float.
+/// beyond the error, that is the answer. If only the last bit is not, as of nearly every t in double, t is refined
+/// (refine.hpp). If that does not settle it, or a decision is open, the formula is evaluated again in double_double. So
+/// t is the exact crossing, correctly rounded, and a ray that just misses misses (Ziv, ACM TOMS 17(3), 1991, rounds
+/// elementary functions like this; Shewchuk, 1997, the signs of determinants). A few rays of a thousand need the
+/// closer look in float. In double misses and `occluded` cost what they cost in float.
 
 namespace raio {
 
@@ -36,26 +37,32 @@ RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_ma
     return select(near.exists, near, first_in_window(c.far, t_min, t_max));
 }
 
-/// What is asked of the first crossing: only whether there is one, or also where.
-enum class question { whether, where };
-
 /// The same, `certain` only if exact arithmetic would say so too: wherever in its error t is, it lies inside the
-/// window, or outside; and if t is asked for, both ends of the error round to the same.
-template <question Asked, real T, class W>
+/// window, or outside.
+template <real T, class W>
 RAIO_FN constexpr crossing<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
     if (!c.exists) return c;
     const T low = T(c.t - c.error), high = T(c.t + c.error);
-    const bool inside = every(t_min <= low, high <= t_max, is_finite(high), Asked == question::whether || low == high);
+    const bool inside = every(t_min <= low, high <= t_max, is_finite(high));
     const bool outside = some(high < t_min, t_max < low);
     c.certain = every(c.certain, some(inside, outside));
     c.exists = inside;
     return c;
 }
-template <question Asked, real T, class W>
+template <real T, class W>
 RAIO_FN constexpr crossing<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
-    crossing<W> first = settled_in_window<Asked>(c.near, t_min, t_max);
-    if (!first.exists && first.certain) first = settled_in_window<Asked>(c.far, t_min, t_max);
+    crossing<W> first = settled_in_window(c.near, t_min, t_max);
+    if (!first.exists && first.certain) first = settled_in_window(c.far, t_min, t_max);
     return first;
+}
+
+/// What is asked of the first crossing: only whether there is one, or also where.
+enum class question { whether, where };
+
+/// Is t certain to the last bit of T: do both ends of its error round to the same?
+template <real T, class W>
+RAIO_FN constexpr bool rounds_to_one(const crossing<W>& c) {
+    return T(c.t - c.error) == T(c.t + c.error);
 }
 
 /// Is there a quicker precision, and does it hold the numbers of the ray without rounding them?
@@ -63,21 +70,39 @@ template <real T, real R>
 inline constexpr bool works_first =
     !std::same_as<working_t<T>, exact_t<T>> && unit_roundoff<working_t<T>> <= unit_roundoff<R>;
 
-/// Out of line: where this is rare, it must not cost the common case its registers.
+/// Does the shape say what is missing of a crossing?
+template <class Shape, class X, class W>
+concept correctable = requires(const Shape shape, const nearby_ray<X, W> ray, const crossing<W> c) {
+    shape.correction(ray, c);
+};
+
 template <real T, class Shape, real R, class Then>
-[[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_exactly(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
-                                                             Then then) {
+RAIO_FN constexpr mask_t<T> settle_exactly(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
     auto exact = first_in_window(shape.template crossings<exact_t<T>>(ray), t_min, t_max);
     if constexpr (works_first<T, R>) {
         if (!exact.exists) {
             // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
             // range.
             auto quick = shape.template crossings<working_t<T>>(ray);
-            auto verdict = settled_in_window<question::whether>(quick, t_min, t_max);
+            auto verdict = settled_in_window(quick, t_min, t_max);
             if (verdict.certain && verdict.exists) return then(verdict);
         }
     }
     return then(exact);
+}
+
+/// Out of line: where this is rare, it must not cost the common case its registers.
+template <question Asked, real T, class Shape, real R, class W, class Then>
+[[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
+                                                            const crossing<W>& quick, Then then) {
+    using X = exact_t<T>;
+    if constexpr (Asked == question::where && correctable<Shape, X, W>) {
+        if (quick.certain) {
+            auto fine = refined<X>(shape, ray, quick);
+            if (fine.certain && rounds_to_one<T>(fine)) return then(fine);
+        }
+    }
+    return settle_exactly(shape, ray, t_min, t_max, then);
 }
 
 /// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
@@ -85,11 +110,14 @@ template <question Asked, real T, class Shape, real R, class Then>
 RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T, R>) {
         keep_as_stored<T>(shape, ray);
-        auto quick = settled_in_window<Asked>(shape.template crossings<working_t<T>>(ray), t_min, t_max);
-        if (quick.certain) [[likely]]
+        auto quick = settled_in_window(shape.template crossings<working_t<T>>(ray), t_min, t_max);
+        const bool answers = Asked == question::whether || !quick.exists || rounds_to_one<T>(quick);
+        if (quick.certain && answers) [[likely]]
             return then(quick);
+        return settle_closer<Asked>(shape, ray, t_min, t_max, quick, then);
+    } else {
+        return settle_exactly(shape, ray, t_min, t_max, then);
     }
-    return settle_exactly(shape, ray, t_min, t_max, then);
 }
 
 }  // namespace detail
@@ -129,9 +157,7 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
         detail::keep_as_stored<T>(shape, ray);
         auto quick = shape.template crossings<working_t<T>>(ray);
         const bool meets = some(quick.near.exists, quick.far.exists);
-        const auto settled = [&](const auto& c) {
-            return every(c.certain, some(!meets, T(c.t - c.error) == T(c.t + c.error)));
-        };
+        const auto settled = [&](const auto& c) { return every(c.certain, some(!meets, detail::rounds_to_one<T>(c))); };
         if (every(settled(quick.near), settled(quick.far))) [[likely]]
             return between_ends(quick);
     }

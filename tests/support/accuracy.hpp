@@ -148,12 +148,37 @@ std::string wrong_bound(const probe<Shape>& p) {
     return "";
 }
 
+/// Wherever a crossing is certain in strict_double, the refined one is off by no more than the error that it states.
+template <class Shape>
+std::string wrong_refinement(const probe<Shape>& p, int& refinements, int& open) {
+    const std::vector exact = exact_crossings(p.shape, p.ray);
+    const std::vector found = all_crossings<strict_double>(p.shape, p.ray);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!found[i].certain || !found[i].exists || found.size() != exact.size()) continue;
+        const crossing<double_double> fine = refined<double_double>(p.shape, p.ray, found[i]);
+        ++refinements;
+        if (!fine.certain || !detail::rounds_to_one<double>(fine)) ++open;
+        if (!fine.certain) continue;
+        const oracle off = abs(exactly(fine.t) - exact[i].t), error = exactly(fine.error);
+        if (!(off <= error))
+            return "off by " + literal(rounded<double>(off)) + ", said " + literal(rounded<double>(error));
+    }
+    return "";
+}
+
 template <class Shape>
 void check_bounds_of_errors(int rays) {
     for_random_probes<Shape>("bound in strict_double", rays,
                              [](const auto& p, auto&) { return wrong_bound<strict_double>(p); });
     for_random_probes<Shape>("bound in double_double", rays,
                              [](const auto& p, auto&) { return wrong_bound<double_double>(p); });
+    if constexpr (detail::correctable<Shape, double_double, strict_double>) {
+        int refinements = 0, open = 0;
+        for_random_probes<Shape>("bound of the refined", rays,
+                                 [&](const auto& p, auto&) { return wrong_refinement(p, refinements, open); });
+        MESSAGE(refinements << " crossings refined, left open to the last bit of a double: " << open);
+        CHECK(open < refinements / 3);  // mostly of rays from the surface itself, whose t is next to nothing
+    }
 }
 
 /// The oracle itself, asked in other words than the shape's own: what it crosses lies on the surface, and a line

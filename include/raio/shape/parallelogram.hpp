@@ -51,6 +51,11 @@ struct parallelogram {
         return at;
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& at) const {
+        return correct_edges(corner, vec3<X>(edge_u), vec3<X>(edge_v), ray, at);
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
         record_flat(corners(), vec3<W>(edge_u), vec3<W>(edge_v), ray, at, rec);

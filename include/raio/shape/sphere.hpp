@@ -47,6 +47,11 @@ struct sphere {
         return cross_sphere<1>(vec3<W>(center) - vec3<W>(ray.origin), vec3<W>(ray.direction), W(radius));
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return correct_sphere(center, radius, ray, c);
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;

@@ -52,6 +52,11 @@ struct triangle {
         return at;
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& at) const {
+        return correct_edges(a, vec3<X>(b) - vec3<X>(a), vec3<X>(c) - vec3<X>(a), ray, at);
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
         vec3<W> e1 = vec3<W>(b) - vec3<W>(a), e2 = vec3<W>(c) - vec3<W>(a);

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <raio/crossing.hpp>
+
+/// \file
+/// How the last bits of a crossing's t are found.
+///
+/// Iterative refinement (Wilkinson, Rounding Errors in Algebraic Processes, 1963): once t is known to all but its last
+/// bits, only how far the point at t lies from the surface has to be computed in twice the precision. What is missing
+/// of t follows from that in once the precision, since all but its first bits are beyond those of t.
+
+namespace raio {
+
+/// A ray that has gone a step, in the precision of X, to a point close to its crossing.
+template <class X, class W>
+struct nearby_ray {
+    vec3<X> origin, step;
+    vec3<W> direction;
+
+    /// The point, seen from another, and the bound of its error, which is the sum of its components'.
+    struct point {
+        vec3<X> place;
+        bound_t<X> error;
+    };
+    template <real T>
+    RAIO_FN constexpr point seen_from(const vec3<T>& base) const {
+        using E = bound_t<X>;
+        vec3<X> from_base = origin - vec3<X>(base);
+        E terms = norm1(vec3<E>(from_base)) + norm1(vec3<E>(step));
+        return {from_base + step, E(4 * unit_roundoff<X>) * terms};
+    }
+};
+
+/// What is missing of a crossing with a surface where a function of the point is zero: one step of Newton's method.
+/// \param value        of the function at c.t
+/// \param slope_error  how far its slope may be from `slope` anywhere within c.error of c.t
+template <class X, class W>
+RAIO_FN constexpr crossing<W> newton_step(const X& value, const bound_t<X>& value_error, const W& slope,
+                                          const bound_t<X>& slope_error) {
+    // The smallest normal number stands for all that underflows.
+    return cross_zero(W(value), value_error + bound_t<X>(least_normal<X>), slope, slope_error);
+}
+
+/// The same crossing in the precision of X. The shape's `correction(nearby, c)` is that crossing as the ray from c.t on
+/// meets it, in the precision of W.
+template <class X, class Shape, real R, class W>
+RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, const crossing<W>& c) {
+    using E = bound_t<X>;
+    vec3<X> direction(ray.direction);
+    nearby_ray<X, W> nearby{vec3<X>(ray.origin), direction * X(c.t), vec3<W>(direction)};
+    crossing<W> missing = shape.correction(nearby, c);
+    X t = X(c.t) + X(missing.t);
+    E error = missing.error + E(4 * unit_roundoff<X>) * abs(E(t));
+    // What cannot be told from a number of W is that number: simple rays meet simple shapes at simple points.
+    W simple(t);
+    E beyond = abs(E(t - X(simple)));
+    if (beyond <= error) t = X(simple), error += beyond;
+    return {.exists = c.exists,
+            .certain = every(c.certain, missing.exists, missing.certain),
+            .t = t,
+            .error = error,
+            .entering = c.entering,
+            .face = c.face,
+            .uv = vec2<X>(c.uv) + vec2<X>(missing.uv)};
+}
+
+}  // namespace raio
