@@ -120,8 +120,23 @@ struct torus {
             if (tip ? counts_at_tip(root, entering) : outer > E(0)) list.append(t, error, entering);
             if (twice && (tip ? counts_at_tip(root, !entering) : outer > E(0))) list.append(t, error, !entering);
         }
-        if (list.touches_origin() && lies_on(l)) list.start_at_origin();
+        if (list.touches_origin() && level(l) == W(0)) list.start_at_origin();
         return list;
+    }
+
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        using E = bound_t<X>;
+        auto [place, place_error] = ray.seen_from(center);
+        vec3<W> p(place), d = ray.direction, a(axis);
+        W a2 = dot(a, a), major2 = W(major_radius) * W(major_radius), minor2 = W(minor_radius) * W(minor_radius);
+        vec3<W> gradient = p * (W(4) * a2 * ((dot(p, p) - major2) - minor2)) + a * (W(8) * major2 * dot(p, a));
+        // With s = |p| + R + r all along the step, A.A times at most 24 s^3 is the gradient of f and 24 s^2 its rate.
+        E speed = norm1(vec3<E>(d)), step = speed * c.error;
+        E size = norm1(vec3<E>(p)) + step + E(major_radius) + E(minor_radius), scale = E(a2) * size * size;
+        E value_error = E(24) * scale * size * (place_error + E(8 * unit_roundoff<X>) * size);
+        E slope_error = E(24) * scale * speed * (step + E(8 * unit_roundoff<W>) * size);
+        return newton_step(level(place), value_error, dot(gradient, d), slope_error);
     }
 
     template <class W, real R, real N>
@@ -149,13 +164,13 @@ private:
         return entering ? x <= root.error : x >= -root.error;
     }
 
-    /// Is f exactly zero at the origin of the ray, as seen from which the centre is at l?
+    /// f, times A.A, at the point p as seen from the centre, or at -p.
     template <class W>
-    RAIO_FN constexpr bool lies_on(const vec3<W>& l) const {
+    RAIO_FN constexpr W level(const vec3<W>& p) const {
         vec3<W> a(axis);
-        W a2 = dot(a, a), l2 = dot(l, l), al = dot(a, l), major2 = W(major_radius) * W(major_radius);
-        W sum = l2 + (major2 - W(minor_radius) * W(minor_radius));
-        return a2 * (sum * sum) == W(4) * major2 * (a2 * l2 - al * al);
+        W a2 = dot(a, a), p2 = dot(p, p), ap = dot(a, p), major2 = W(major_radius) * W(major_radius);
+        W sum = p2 + (major2 - W(minor_radius) * W(minor_radius));
+        return a2 * (sum * sum) - W(4) * major2 * (a2 * p2 - ap * ap);
     }
 
     /// The angle about the circle at which the tube meets the axis; half a turn for a ring.
