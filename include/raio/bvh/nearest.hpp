@@ -8,7 +8,8 @@ namespace raio::detail {
 ///
 /// As long as packs can tell who is nearer, nobody else is asked. Where two may be equally near, or a lane is open, the
 /// plain shapes decide, and of equally near ones the lowest id. So what is found is what a loop over `hit` finds; and
-/// of the one that is left, `hit` says the rest.
+/// of the one that is left, `hit` says the rest. Open lanes wait until all has been seen, since to ask a plain shape
+/// sweeps the ray out of the registers.
 template <class T, class Leaves, class R, class N>
 class nearest {
 public:
@@ -33,12 +34,15 @@ public:
             }
         }
         for (; found.open != 0; found.open &= found.open - 1) {
-            settle<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open)));
+            if (open_count_ == open_.size()) settle_open();
+            const auto lane = static_cast<unsigned>(std::countr_zero(found.open));
+            open_[open_count_++] = {Kind, block, lane, std::get<Kind>(leaves_.all).id(block, lane)};
         }
     }
 
     /// Answers the question, once everything has been seen.
     bool finish() {
+        if (open_count_ != 0) settle_open();
         if (exists_ && !exact_) make_exact();
         return exists_;
     }
@@ -65,9 +69,18 @@ private:
         low_ = high_ = rec_.t;
     }
 
+    /// Asks the plain shapes of all lanes that wait.
+    [[gnu::noinline]] void settle_open() {
+        for (std::size_t i = 0; i < open_count_; ++i) {
+            Leaves::with_kind(static_cast<std::uint32_t>(open_[i].kind),
+                              [&](auto kind) { settle<kind()>(open_[i].block, open_[i].lane); });
+        }
+        open_count_ = 0;
+    }
+
     /// Asks the plain shape.
     template <std::size_t Kind>
-    [[gnu::noinline]] void settle(std::uint32_t block, unsigned lane) {
+    void settle(std::uint32_t block, unsigned lane) {
         const auto& leaves = std::get<Kind>(leaves_.all);
         const std::uint32_t id = leaves.id(block, lane);
         if (exists_ && id == at_.id) return;  // a shape may stand in several leaves
@@ -86,6 +99,8 @@ private:
     T t_min_, t_max_;
     T low_, high_;  ///< where the nearest is, once there is one
     place at_{};
+    std::array<place, 8> open_{};  ///< lanes that wait
+    std::size_t open_count_ = 0;
     bool exists_ = false, exact_ = false;
     hit_record<T, N>& rec_;  ///< of the nearest, if that is exact
 };
