@@ -22,7 +22,7 @@ template <class Value>
 class lazy {
 public:
     template <class Make>
-    explicit lazy(Make make) : state_(std::make_shared<state>(std::move(make), nullptr)) {}
+    explicit lazy(Make make) : state_(std::make_shared<state>(state{std::move(make), nullptr})) {}
 
     const Value& operator*() const {
         if (!state_->value) state_->value = state_->make();
