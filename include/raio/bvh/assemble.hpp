@@ -20,7 +20,7 @@ public:
     using T = std::common_type_t<number_t<Shapes>...>;
     using leaves_type = leaf_kinds<leaves_of<Shapes>...>;
 
-    std::vector<wide_node> nodes;
+    large_vector<wide_node> nodes;
     leaves_type leaves;
     aabb<T> bounds;
     T scale = 1;     ///< of the nodes' boxes: a power of two that brings them near 1, if they are far from it
@@ -204,7 +204,7 @@ private:
             wide_node& node = nodes[i];
             for (std::size_t j = 0; j < node_width; ++j) {
                 if (node.planes[0][j] > node.planes[1][j]) continue;  // without a child
-                const std::uint32_t c = node.children[j];
+                const std::uint32_t c = node.child_at(j);
                 build_box box;
                 float weight = 1;
                 if (child::is_leaf(c)) {

@@ -33,7 +33,7 @@ struct leaf_range {
 };
 
 struct wide_tree {
-    std::vector<wide_node> nodes;                 ///< the root is node 0
+    large_vector<wide_node> nodes;                ///< the root is node 0
     std::vector<std::vector<leaf_range>> leaves;  ///< of each kind
     /// Of a ray through the box of all: the surface area heuristic, a node counting 1. The root alone
     /// counts if that box has no area.
@@ -163,22 +163,25 @@ private:
             const open_node current = stack.back();
             stack.pop_back();
             find_children(current.binary, children);
+            // Leaves have the first places; and where any hit will do, it is soonest found in a large child.
+            std::ranges::stable_sort(children, std::ranges::greater{},
+                                     [&](std::uint32_t n) { return std::pair(becomes_leaf(n), area(n)); });
             const std::size_t stacked = stack.size();
+            wide_node made;
+            made.first_node = static_cast<std::uint32_t>(wide_.nodes.size());
             for (std::size_t i = 0; i < children.size(); ++i) {
                 const binary_node& node = binary_.nodes[children[i]];
-                std::uint32_t reference = 0;
+                made.set(i, node.box);
                 if (becomes_leaf(children[i])) {
                     std::vector<leaf_range>& leaves = wide_.leaves[node.kind];
-                    reference = child::leaf(node.kind, static_cast<std::uint32_t>(leaves.size()));
+                    made.leaves[made.leaf_count++] = child::leaf(node.kind, static_cast<std::uint32_t>(leaves.size()));
                     leaves.push_back({node.first, node.count});
                 } else {
-                    reference = static_cast<std::uint32_t>(wide_.nodes.size());
+                    stack.push_back({children[i], static_cast<std::uint32_t>(wide_.nodes.size())});
                     wide_.nodes.emplace_back();
-                    stack.push_back({children[i], reference});
                 }
-                wide_.nodes[current.wide].set(i, node.box);
-                wide_.nodes[current.wide].children[i] = reference;
             }
+            wide_.nodes[current.wide] = made;
             std::reverse(stack.begin() + static_cast<std::ptrdiff_t>(stacked), stack.end());
         }
     }

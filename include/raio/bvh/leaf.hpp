@@ -14,9 +14,10 @@
 
 namespace raio::detail {
 
-/// The lanes of a block: as many as fill a register.
+/// The lanes of a block: as many as a register has, but no more than are worth it. A block of sixteen takes twice as
+/// long as one of eight, and most of its shapes are missed.
 template <class Shape>
-inline constexpr std::size_t block_lanes = std::max<std::size_t>(4, native_lanes<number_t<Shape>>);
+inline constexpr std::size_t block_lanes = std::clamp<std::size_t>(native_lanes<number_t<Shape>>, 4, 8);
 
 /// What is known of the crossings of N lanes: those of which a bit is set in `sure` lie in [low, high], and that in
 /// the window; those in `open` may do anything.
@@ -132,7 +133,7 @@ private:
         }
     };
 
-    std::vector<block> blocks_;
+    large_vector<block> blocks_;
 };
 
 /// Shapes that have no shape of packs, one after the other: all that is found in them is open.

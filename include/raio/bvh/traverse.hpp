@@ -31,13 +31,13 @@ void traverse(std::span<const wide_node> nodes, const node_ray& ray, float t_min
             if (met != 0) {
                 const auto first = static_cast<unsigned>(std::countr_zero(met));
                 met &= met - 1;
-                current = node.children[first];
+                current = node.child_at(first);
                 if (met == 0) continue;
                 open_child nearest{entry[first], current};
                 const std::size_t bottom = open;
                 for (; met != 0; met &= met - 1) {
                     const auto i = static_cast<unsigned>(std::countr_zero(met));
-                    open_child next{entry[i], node.children[i]};
+                    open_child next{entry[i], node.child_at(i)};
                     if (next.t < nearest.t) std::swap(next, nearest);
                     std::size_t at = open++;
                     for (; at > bottom && stack[at - 1].t < next.t; --at) stack[at] = stack[at - 1];
@@ -79,7 +79,7 @@ void traverse_any(std::span<const wide_node> nodes, const node_ray& ray, float t
                 --top;
                 node = top->node, met = top->met;
             }
-            const std::uint32_t next = node->children[static_cast<unsigned>(std::countr_zero(met))];
+            const std::uint32_t next = node->child_at(static_cast<unsigned>(std::countr_zero(met)));
             met &= met - 1;
             if (child::is_leaf(next)) {
                 if (!visit(next)) return;

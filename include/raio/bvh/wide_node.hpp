@@ -1,6 +1,7 @@
 #pragma once
 
 #include <raio/bvh/build_box.hpp>
+#include <raio/bvh/large_pages.hpp>
 #include <raio/math/simd.hpp>
 #include <raio/ray.hpp>
 
@@ -24,9 +25,20 @@ struct child {
 
 /// The boxes of all children, coordinate by coordinate, and the children. A place without a child holds a box without
 /// points, which no ray meets.
+///
+/// Leaves have the first places. The nodes after them stand side by side in the tree, so that a ray that goes on to one
+/// need not wait until its number has been read.
 struct alignas(64) wide_node {
     std::array<std::array<float, node_width>, 6> planes;  ///< low x, high x, low y, high y, low z, high z
-    std::array<std::uint32_t, node_width> children{};
+    std::array<std::uint32_t, node_width> leaves{};
+    std::uint32_t leaf_count = 0;
+    std::uint32_t first_node = 0;  ///< the node at place `leaf_count`, if there is one
+
+    std::uint32_t child_at(std::size_t place) const {
+        if (place < leaf_count) [[unlikely]]
+            return leaves[place];
+        return first_node + (static_cast<std::uint32_t>(place) - leaf_count);
+    }
 
     wide_node() {
         for (unsigned i = 0; i < 6; ++i) planes[i].fill(i % 2 == 0 ? build_box::none : -build_box::none);
