@@ -96,6 +96,20 @@ RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value
             .entering = slope < W(0)};
 }
 
+/// Is nothing left to find out: does every lane's line miss, beyond doubt?
+template <class W>
+RAIO_FN constexpr bool missed(const chord<W>& c) {
+    return all(every(!c.near.exists, !c.far.exists, c.near.certain, c.far.certain));
+}
+
+/// The chord of a line that misses, or may miss.
+template <class W>
+RAIO_FN constexpr chord<W> nowhere(const mask_t<W>& certain) {
+    const mask_t<W> no = W(0) != W(0);
+    const crossing<W> none{no, certain, W(0), bound_t<W>(0), no};
+    return {none, none};
+}
+
 /// The chord of a line that is inside everywhere.
 template <real W>
 RAIO_FN constexpr chord<W> everywhere() {
@@ -162,6 +176,11 @@ RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, crossing<W>& c) {
 
 template <real T, real R, class W>
 RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, chord<W>& c) {
+    using E = bound_t<W>;
+    vec3<E> origin(vec3<W>(ray.origin)), direction(vec3<W>(ray.direction));
+    E reach = max(abs(E(c.near.t)), abs(E(c.far.t))) + max(c.near.error, c.far.error);
+    E farthest = norm1(origin) + norm1(direction) * reach;
+    if (all(farthest < E(std::numeric_limits<scalar_t<T>>::max() / 4))) return;
     keep_if_reachable<T>(ray, c.near);
     keep_if_reachable<T>(ray, c.far);
 }

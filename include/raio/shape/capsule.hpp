@@ -45,10 +45,10 @@ struct capsule {
 
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> ends = unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray));
-        chord<W> c = unite(intersect(detail::cross_endless_cylinder<W>(base, top, radius, ray),
-                                     detail::cross_cap_planes<W>(base, top, ray)),
-                           ends);
+        chord<W> c = detail::cross_endless_cylinder<W>(base, top, radius, ray);
+        if (missed(c)) return c;
+        c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
+        c = unite(c, unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray)));
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         vec3<W> axis = vec3<W>(top) - vec3<W>(base);
         const mask_t<W> slim = W(radius) * W(radius) < W(0x1p-120) * dot(axis, axis);

@@ -29,52 +29,50 @@ template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec3<T>& top, T radius,
                                                   const ray<R>& ray) {
     using E = bound_t<W>;
-    vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base), l = vec3<W>(base) - vec3<W>(ray.origin);
-    vec3<W> n = cross(d, axis), m = cross(l, axis);
-    W r(radius), a = dot(n, n), b = dot(m, n), axis2 = dot(axis, axis), d2 = dot(d, d), zero(0);
-    W passed = dot(axis, cross(l, d)), ar2 = a * r * r, passed2 = passed * passed, s2 = ar2 - passed2;
-
-    // The errors, with u the unit roundoff: |n| is off by 8 u |d| |A| at most, `passed` by 16 u |A| |l| |d|. Twice a
-    // product is at most the sum of the squares, however they are weighted: that bounds the error of s2. If the angle
-    // between the lines is above 2 degrees (the sine's square above 2^-10) and the chord above a 32nd of the diameter
-    // (s2 > 2^-10 ar2), the errors grow to less than 2^20 u (|l| + r) / |d| in t.
     constexpr double u = unit_roundoff<W>, least = least_normal<W>;
-    E extent2 = E(d2) * E(axis2), l2(dot(l, l)), r2 = E(r) * E(r);
-    E s2_error = E(0x1p22 * u) * E(passed2) + extent2 * (E(0x1p-10 * u) * l2 + E(0x1p6 * u) * r2);
-    W beside2 = dot(m, m), inner2 = r * r * axis2;
-    E beside2_error = E(0x1p8 * u) * (E(beside2) + l2 * E(axis2));
+    vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base), l = vec3<W>(base) - vec3<W>(ray.origin);
+    vec3<W> n = cross(d, axis);
+    W r(radius), r2 = r * r, a = dot(n, n), axis2 = dot(axis, axis), d2 = dot(d, d), zero(0);
+    W passed = dot(l, n), ar2 = a * r2, passed2 = passed * passed, s2 = ar2 - passed2;
+
+    // The errors, with u the unit roundoff: n is off by less than 4 u |d| |A|, l x A by 5 u |l| |A| and A.(l x d) by
+    // 8 u |A| |l| |d|.
+    E two(2), l_size = norm1(vec3<E>(l)), d_size = norm1(vec3<E>(d)), n_size = norm1(vec3<E>(n));
+    E axis_size = norm1(vec3<E>(axis)), n_error = with_underflow<W>(E(4 * u) * d_size * axis_size);
+    E a_error = with_underflow<W>(n_error * (two * n_size + n_error) + E(4 * u) * E(a));
+    E passed_error = with_underflow<W>(E(8 * u) * axis_size * with_underflow<W>(l_size * d_size));
+    E passed2_error = passed_error * (two * abs(E(passed)) + passed_error);
+    E s2_error = with_underflow<W>(E(r2) * a_error + passed2_error + E(8 * u) * (E(ar2) + E(passed2)));
     // A radius that the last precision cannot tell from none leaves no normal: such a cylinder is missed.
-    E resolved = tie<W>(E(0x1p30 * u * u) * l2);
-    const mask_t<W> sound = every(radius > T(0), r2 >= E(least) + resolved, axis2 >= W(least), d2 >= W(least)),
-                    parallel = a == zero;
-    const mask_t<W> exists =
-        every(sound, select(parallel, beside2 - inner2 <= tie<W>(beside2_error), s2 >= -tie<W>(s2_error)));
-    const mask_t<W> long_chord = every(s2 > s2_error, s2 > W(0x1p-10) * ar2, E(a) > E(0x1p-10) * extent2);
-    mask_t<W> certain = some(s2 < -s2_error, long_chord);
+    E resolved = tie<W>(E(0x1p30 * u * u) * l_size * l_size);
+    const mask_t<W> sound = every(radius > T(0), E(r2) >= E(least) + resolved, axis2 >= W(least), d2 >= W(least));
+    const mask_t<W> parallel = a == zero, apart = every(sound, s2 < -s2_error);
+    const mask_t<W> meets = every(sound, some(parallel, s2 >= -tie<W>(s2_error)));
+    if (none(meets)) return nowhere<W>(apart);
 
-    W under_root = axis2 * max(s2, zero), s = sqrt(under_root), over_a = quotient(W(1), a, zero);
-    E l_size = norm1(vec3<E>(l)), d_size = norm1(vec3<E>(d)), reach = quotient(l_size + E(r), d_size, E(0));
-    E error = select(parallel, E(0), E(0x1p21 * u) * reach);
-    if constexpr (std::same_as<W, T>) {
-        // A float cannot afford such powers of two. Where nobody takes a closer look, the errors are followed step by
-        // step instead: n is off by less than 4 u |d| |A|, m by 5 u |l| |A| and A.(l x d) by 8 u |A| |l| |d|.
-        E two(2), axis_size = norm1(vec3<E>(axis)), n_size = norm1(vec3<E>(n)), m_size = norm1(vec3<E>(m));
-        E n_error = with_underflow<W>(E(4 * u) * d_size * axis_size);
-        E m_error = with_underflow<W>(E(5 * u) * l_size * axis_size);
-        E passed_error = with_underflow<W>(E(8 * u) * axis_size * with_underflow<W>(l_size * d_size));
-        E a_error = with_underflow<W>(n_error * (two * n_size + n_error) + E(4 * u) * E(a));
-        E b_error = with_underflow<W>(n_error * m_size + m_error * (n_size + n_error) + E(4 * u) * n_size * m_size);
-        E passed2_error = passed_error * (two * abs(E(passed)) + passed_error);
-        s2_error = with_underflow<W>(r2 * a_error + passed2_error + E(8 * u) * (E(ar2) + E(passed2)));
-        E under_root_error = with_underflow<W>(E(axis2) * s2_error);
-        const mask_t<W> crossed = every(E(under_root) > under_root_error, is_finite(under_root), E(a) > two * a_error);
-        certain = every(sound, some(s2 < -s2_error, every(s2 > s2_error, crossed)));
+    vec3<W> m = cross(l, axis);
+    W b = dot(m, n), beside2 = dot(m, m), inner2 = axis2 * r2, under_root = axis2 * max(s2, zero);
+    W s = sqrt(under_root), over_a = quotient(W(1), a, zero);
+    E beside2_error = E(0x1p8 * u) * (E(beside2) + E(dot(l, l)) * E(axis2));
+    const mask_t<W> exists = every(meets, some(!parallel, beside2 - inner2 <= tie<W>(beside2_error)));
 
-        E s_error = quotient(under_root_error, E(s), E(infinity<E>)) + E(8 * u) * E(s);
-        E farthest = (abs(E(b)) + E(s)) * E(over_a);
-        error = two * (b_error + s_error + farthest * a_error) * E(over_a) + E(8 * u) * farthest;
-        error = select(parallel, E(0), with_underflow<W>(error));
+    E under_root_error = with_underflow<W>(E(axis2) * s2_error), m_size = norm1(vec3<E>(m));
+    E m_error = with_underflow<W>(E(5 * u) * l_size * axis_size);
+    E b_error = with_underflow<W>(n_error * m_size + m_error * (n_size + n_error) + E(4 * u) * n_size * m_size);
+    mask_t<W> crossed =
+        every(sound, s2 > s2_error, E(under_root) > under_root_error, is_finite(under_root), E(a) > two * a_error);
+    E s_error = quotient(under_root_error, E(s), E(infinity<E>)) + E(8 * u) * E(s);
+    E farthest = (abs(E(b)) + E(s)) * E(over_a);
+    E error = two * (b_error + s_error + farthest * a_error) * E(over_a) + E(8 * u) * farthest;
+    if constexpr (std::same_as<W, double_double>) {
+        // All that a tangent, or a line that is all but parallel, may be off by would make a tie of what is none. This
+        // is what others are off by: where the angle between the lines is above 2 degrees (the sine's square above
+        // 2^-10) and the chord above a 32nd of the diameter.
+        crossed = every(crossed, s2 > W(0x1p-10) * ar2, a > W(0x1p-10) * d2 * axis2);
+        error = E(0x1p21 * u) * quotient(l_size + E(r), d_size, E(0));
     }
+    const mask_t<W> certain = some(apart, crossed);
+    error = select(parallel, E(0), with_underflow<W>(error));
     vec2<W> t = quadratic_roots(over_a, b, beside2 - inner2, s);
     return {{exists, certain, select(parallel, -infinity<W>, t.x), error, exists},
             {exists, certain, select(parallel, infinity<W>, t.y), error, !exists}};
@@ -133,8 +131,9 @@ struct cylinder {
 
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = intersect(detail::cross_endless_cylinder<W>(base, top, radius, ray),
-                               detail::cross_cap_planes<W>(base, top, ray));
+        chord<W> c = detail::cross_endless_cylinder<W>(base, top, radius, ray);
+        if (missed(c)) return c;
+        c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
         keep_if_reachable<T>(ray, c);
         return c;
     }
@@ -178,8 +177,9 @@ struct open_cylinder {
     /// Either crossing counts on its own, if it lies between the two planes.
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);
+        if (missed(endless)) return endless;
+        chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         return {detail::within(slab, endless.near), detail::within(slab, endless.far)};
     }
 
