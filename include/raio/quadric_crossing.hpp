@@ -11,7 +11,7 @@
 ///
 ///     a t^2 - 2 b t + c = 0,    a = v n.n - k (d.A)^2,  b = d.A (v w + k w + c1 / 2),    k = c2 / A.A
 ///     c = A.A (v m.m / d.d - c0) - w (v w + k w + c1)
-///     b^2 - a c = v (A.A (c0 n.n + c1 m.n - v (m.A)^2) + c2 |m x A|^2) + (d.A)^2 (c1^2 / 4 - c0 c2)
+///     b^2 - a c = v (A.A (c0 n.n + c1 m.n - v (m.A)^2) + c2 (A.A m.m - (m.A)^2)) + (d.A)^2 (c1^2 / 4 - c0 c2)
 ///
 /// Written like this, b^2 - a c is free of the differences of large squares that lose small and far shapes, and for a
 /// cone about its apex, where c0 and c1 are 0, it is exact to the square of the distance at which the line passes.
@@ -43,79 +43,97 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
                                                  const bound_t<W>& far, const vec3<W>& d) {
     using E = bound_t<W>;
     constexpr double u = unit_roundoff<W>, least = least_normal<W>;
-    vec3<W> n = cross(d, s.axis), m = cross(to_center, d), m_across = cross(m, s.axis);
-    W zero(0), d2 = dot(d, d), over_d2 = quotient(W(1), d2, zero), axis2 = dot(s.axis, s.axis);
-    W k = s.c2 * quotient(W(1), axis2, zero), n2 = dot(n, n), m2 = dot(m, m), mn = dot(m, n), turn = dot(m, s.axis);
-    W along = dot(d, s.axis), w = mn * over_d2, tilt = s.v * w + k * w;
-    W a = s.v * n2 - k * along * along, b = along * (tilt + W(0.5) * s.c1);
-    W c = axis2 * (s.v * m2 * over_d2 - s.c0) - w * (tilt + s.c1);
-    W square = s.v * (axis2 * (s.c0 * n2 + s.c1 * mn - s.v * turn * turn) + s.c2 * dot(m_across, m_across)) +
-               along * along * s.discriminant;
+    vec3<W> n = cross(d, s.axis), m = cross(to_center, d);
+    W zero(0), d2 = dot(d, d), axis2 = dot(s.axis, s.axis), n2 = dot(n, n), m2 = dot(m, m), mn = dot(m, n);
+    W along = dot(d, s.axis), along2 = along * along, turn = dot(m, s.axis), turn2 = turn * turn;
+    W k = s.c2 * quotient(W(1), axis2, zero), a = s.v * n2 - k * along2;
+    W square =
+        s.v * (axis2 * (s.c0 * n2 + s.c1 * mn - s.v * turn2) + s.c2 * (axis2 * m2 - turn2)) + along2 * s.discriminant;
 
     // The errors, with u the unit roundoff. Everything that m goes into is linear or quadratic in it: with |m| off by
     // m_error, the roundings of all that is made of it included, m.m is off by twice m2_error. |n| and |d.A| are at
     // most |d| |A|, and |w| is at most |m| |A| / |d|.
-    E d_size = norm1(vec3<E>(d)), axis_size = norm1(vec3<E>(s.axis)), span = d_size * axis_size;
-    E over(over_d2), area(axis2);
+    E d_size = norm1(vec3<E>(d)), axis_size = norm1(vec3<E>(s.axis)), span = d_size * axis_size, area(axis2);
     E m_size = norm1(vec3<E>(m)), m_error = with_underflow<W>(E(4 * u) * far * d_size + E(24 * u) * m_size);
-    E m2_error = (m_size + m_error) * m_error, v(s.v), ratio = v + abs(E(k));
+    E m2_error = (m_size + m_error) * m_error, v(s.v), ratio = v + abs(E(k)), a_size = abs(E(a));
     E c0 = abs(E(s.c0)), c1 = abs(E(s.c1)), of_c1 = E(2) * c1 * span * m_error;
     E a_error = with_underflow<W>(E(32 * u) * ratio * E(d2) * area);
-    E b_error = with_underflow<W>(E(2) * ratio * area * m_error + E(8 * u) * c1 * span);
-    E c_error = with_underflow<W>((E(4) * ratio * area * m2_error + of_c1) * over + E(16 * u) * area * c0);
     E square_error = with_underflow<W>(area * (v * (E(2) * (v * area + abs(E(s.c2))) * m2_error + of_c1) +
                                                E(64 * u) * (v * area * c0 + abs(E(s.discriminant))) * E(d2)));
+    const mask_t<W> in_range = every(is_finite(a_size + abs(E(square))), d2 >= W(least), axis2 >= W(least));
+    const mask_t<W> no = zero != zero, passes = every(in_range, E(a) > E(2) * a_error, square < -square_error);
+    if (all(passes)) return {nowhere<W>(passes), no};
+
+    W over_d2 = quotient(W(1), d2, zero), w = mn * over_d2, tilt = (s.v + k) * w, b = along * (tilt + W(0.5) * s.c1);
+    E over(over_d2), b_size = abs(E(b));
+    E b_error = with_underflow<W>(E(2) * ratio * area * m_error + E(8 * u) * c1 * span);
+    const auto constant_term = [&] { return axis2 * (s.v * m2 * over_d2 - s.c0) - w * (tilt + s.c1); };
+    const auto its_error = [&] {
+        return with_underflow<W>((E(4) * ratio * area * m2_error + of_c1) * over + E(16 * u) * area * c0);
+    };
     if constexpr (std::same_as<W, double_double>) {
         // Of a line that all but lies in the surface a, b and c are tiny, and tell more than their difference at large.
-        E direct_error = b_error * (E(2) * abs(E(b)) + b_error) + c_error * (abs(E(a)) + a_error) +
-                         a_error * abs(E(c)) + E(8 * u) * (E(b * b) + abs(E(a * c)));
+        W c = constant_term();
+        E direct_error = b_error * (E(2) * b_size + b_error) + its_error() * (a_size + a_error) + a_error * abs(E(c)) +
+                         E(8 * u) * (E(b * b) + abs(E(a * c)));
         if (direct_error < square_error) square = b * b - a * c, square_error = direct_error;
     }
 
-    W root = sqrt(max(square, zero)), sum = b + copysign(root, b);
-    const mask_t<W> meets = square > square_error, apart = square < -square_error;
-    const mask_t<W> touches = square >= -tie<W>(square_error);
+    W root = sqrt(max(square, zero));
+    const mask_t<W> meets = square > square_error;
     E root_error = quotient(square_error, E(root), E(infinity<E>));
     if constexpr (std::same_as<mask_t<W>, bool> && !std::same_as<W, strict_double>) {
         // The roots of two numbers differ by no more than the root of their difference.
         if (!meets) root_error = sqrt(square_error);
     }
-    E sum_size = abs(E(sum)), sum_error = b_error + root_error + E(4 * u) * sum_size;
-
-    // The two roots, of which one cancels if the equation is as good as linear.
-    W over_a = quotient(W(1), a, zero), x = (b - root) * over_a, y = (b + root) * over_a, only = quotient(c, sum, zero);
-    E farthest = (abs(E(b)) + E(root)) * abs(E(over_a));
+    W over_a = quotient(W(1), a, zero), x = (b - root) * over_a, y = (b + root) * over_a;
+    E farthest = (b_size + E(root)) * abs(E(over_a));
     E of_two = E(2) * (b_error + root_error + farthest * a_error) * abs(E(over_a)) + E(8 * u) * farthest;
-    E of_one = E(2) * quotient(c_error + abs(E(only)) * sum_error, sum_size, E(0));
 
-    // All that counts is within half of `reach`. Where the equation does not change its sign, the line is inside
-    // everywhere or nowhere; where nothing of it can be told from zero, it lies in the surface. If it is as good as
-    // linear (the line is parallel to a generator, or to the axis of a paraboloid), the other root is out of reach.
-    E a_size = abs(E(a)), reach = E(2) * (axis_size + E(s.radius)) * d_size * over;
-    E change = c_error + reach * ((a_size + a_error) * reach + E(2) * (abs(E(b)) + b_error));
-    const mask_t<W> in_range =
-        every(is_finite(a_size + abs(E(b)) + abs(E(c)) + abs(E(square))), d2 >= W(least), axis2 >= W(least));
-    const mask_t<W> steady = abs(E(c)) > change, linear = sum_size - sum_error > E(2) * reach * (a_size + a_error);
-    const mask_t<W> blind = some(a_size <= a_error, every(!apart, of_two >= reach));
-    const mask_t<W> level = some(steady, every(!linear, blind)), steep = every(!level, !linear, a < zero);
-    const mask_t<W> on_axis = s.discriminant >= zero;  // where a line that is steep enough cannot miss it
-    const mask_t<W> hollow = every(steep, some(on_axis, touches)), everywhere = some(level, every(steep, !hollow));
-    // A radius that the last precision cannot tell from none leaves no normal: such a shape is missed.
-    E extent = far + axis_size, resolved = E(least) + tie<W>(E(0x1p30 * u * u) * (extent * extent));
+    // All that counts is within half of `reach`. A radius that the last precision cannot tell from none leaves no
+    // normal: such a shape is missed.
+    E reach = E(2) * (axis_size + E(s.radius)) * d_size * over, extent = far + axis_size;
+    E resolved = E(least) + tie<W>(E(0x1p30 * u * u) * (extent * extent));
     const mask_t<W> wide = every(s.radius > zero, E(s.radius) * E(s.radius) >= resolved);
-    const mask_t<W> exists =
-        every(wide, some(every(level, c <= tie<W>(change)), every(!level, some(linear, steep, touches))), in_range);
-    const mask_t<W> one = every(linear, meets, sum_size > E(2) * sum_error);
-    const mask_t<W> two = every(!linear, !blind, a_size > E(2) * a_error, some(meets, apart, every(steep, on_axis)));
-    const mask_t<W> certain = every(in_range, some(steady, one, two));
+    const mask_t<W> plain = every(in_range, meets, a_size > E(2) * a_error, farthest <= reach, of_two < reach);
+    mask_t<W> exists = every(plain, wide), certain = plain, hollow = every(plain, a < zero), everywhere = no;
+    W near = min(x, y), far_end = max(x, y);
+    E error = of_two;
+    if (!all(plain)) {
+        // One of the two roots cancels if the equation is as good as linear.
+        W c = constant_term(), sum = b + copysign(root, b), only = quotient(c, sum, zero);
+        E c_error = its_error(), sum_size = abs(E(sum)), sum_error = b_error + root_error + E(4 * u) * sum_size;
+        E of_one = E(2) * quotient(c_error + abs(E(only)) * sum_error, sum_size, E(0));
 
-    W end(reach), near = select(linear, select(sum > zero, only, -end), min(x, y)),
-                  far_end = select(linear, select(sum > zero, end, only), max(x, y));
+        // Where the equation does not change its sign, the line is inside everywhere or nowhere; where nothing of it
+        // can be told from zero, it lies in the surface. If it is as good as linear (the line is parallel to a
+        // generator, or to the axis of a paraboloid), the other root is out of reach.
+        E change = c_error + reach * ((a_size + a_error) * reach + E(2) * (b_size + b_error));
+        const mask_t<W> apart = square < -square_error, touches = square >= -tie<W>(square_error);
+        const mask_t<W> finite = every(in_range, is_finite(b_size + abs(E(c)))), steady = abs(E(c)) > change;
+        const mask_t<W> linear = sum_size - sum_error > E(2) * reach * (a_size + a_error);
+        const mask_t<W> blind = some(a_size <= a_error, every(!apart, of_two >= reach));
+        const mask_t<W> level = some(steady, every(!linear, blind)), steep = every(!level, !linear, a < zero);
+        const mask_t<W> on_axis = s.discriminant >= zero;  // where a line that is steep enough cannot miss it
+        hollow = every(steep, some(on_axis, touches));
+        everywhere = some(level, every(steep, !hollow));
+        exists =
+            every(wide, some(every(level, c <= tie<W>(change)), every(!level, some(linear, steep, touches))), finite);
+        const mask_t<W> one = every(linear, meets, sum_size > E(2) * sum_error);
+        const mask_t<W> two =
+            every(!linear, !blind, a_size > E(2) * a_error, some(meets, apart, every(steep, on_axis)));
+        certain = every(finite, some(passes, steady, one, two));
+
+        W end(reach);
+        near = select(everywhere, -end, select(linear, select(sum > zero, only, -end), near));
+        far_end = select(everywhere, end, select(linear, select(sum > zero, end, only), far_end));
+        error = select(linear, of_one, of_two);
+    }
+
     W middle = dot(to_center, d) * over_d2;
-    E error = select(linear, of_one, of_two) + E(16 * u) * (far * d_size * over);
-    error = select(everywhere, E(0), with_underflow<W>(error));
-    near = middle + select(everywhere, -end, near);
-    far_end = middle + select(everywhere, end, far_end);
+    near = middle + near;
+    far_end = middle + far_end;
+    error = select(everywhere, E(0), with_underflow<W>(error + E(16 * u) * (far * d_size * over)));
     if constexpr (std::same_as<mask_t<W>, bool>) {
         // Whether the line starts on the surface, its coefficients from the origin on say without a division.
         const bool near_0 = abs(E(near)) <= error, far_0 = abs(E(far_end)) <= error;

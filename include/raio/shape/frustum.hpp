@@ -139,8 +139,9 @@ struct frustum {
 
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c =
-            intersect(detail::cross_nappe<W>(base, top, radii(), ray), detail::cross_cap_planes<W>(base, top, ray));
+        chord<W> c = detail::cross_nappe<W>(base, top, radii(), ray);
+        if (missed(c)) return c;
+        c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
         keep_if_reachable<T>(ray, c);
         return c;
     }
@@ -182,8 +183,9 @@ struct open_frustum {
     /// Either crossing counts on its own, if it lies between the two planes.
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         chord<W> c = detail::cross_nappe<W>(base, top, radii(), ray);
+        if (missed(c)) return c;
+        chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
         keep_if_reachable<T>(ray, c);
         return c;

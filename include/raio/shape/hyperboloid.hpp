@@ -62,6 +62,7 @@ RAIO_FN constexpr crossing_list<W, 4> cross_capped(const vec3<T>& base, const ve
                                                    const hyperboloid_side<W>& side, const ray<R>& ray) {
     crossing_list<W, 4> list;
     const quadric_chord<W> c = cross_endless_hyperboloid(base, top, side, ray);
+    if (missed(c.ends)) return list;
     const chord<W> slab = cross_cap_planes<W>(base, top, ray);
     const auto append = [&](const chord<W>& endless) {
         chord<W> part = intersect(endless, slab);
@@ -83,7 +84,9 @@ RAIO_FN constexpr crossing_list<W, 4> cross_capped(const vec3<T>& base, const ve
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_side(const vec3<T>& base, const vec3<T>& top, const hyperboloid_side<W>& side,
                                       const ray<R>& ray) {
-    chord<W> slab = cross_cap_planes<W>(base, top, ray), c = cross_endless_hyperboloid(base, top, side, ray).ends;
+    chord<W> c = cross_endless_hyperboloid(base, top, side, ray).ends;
+    if (missed(c)) return c;
+    chord<W> slab = cross_cap_planes<W>(base, top, ray);
     c = {within(slab, c.near), within(slab, c.far)};
     keep_if_reachable<T>(ray, c);
     return c;

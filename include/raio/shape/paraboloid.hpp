@@ -113,8 +113,9 @@ struct paraboloid {
 
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = intersect(detail::cross_endless_paraboloid<W>(vertex, top, radius, ray),
-                               detail::cross_upper_plane<W>(vertex, top, ray));
+        chord<W> c = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
+        if (missed(c)) return c;
+        c = intersect(c, detail::cross_upper_plane<W>(vertex, top, ray));
         keep_if_reachable<T>(ray, c);
         return c;
     }
@@ -153,8 +154,9 @@ struct open_paraboloid {
     /// Either crossing counts on its own, if it lies below the rim.
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> slab = detail::cross_upper_plane<W>(vertex, top, ray);
         chord<W> c = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
+        if (missed(c)) return c;
+        chord<W> slab = detail::cross_upper_plane<W>(vertex, top, ray);
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
         keep_if_reachable<T>(ray, c);
         return c;
