@@ -15,21 +15,26 @@ namespace raio::detail {
 template <class W>
 RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>& above_base,
                                       const plane_height<W>& above_top, const vec3<W>& d) {
-    crossing<W> low = cross_plane(axis, d, above_base.value, above_base.error);
-    crossing<W> high = cross_plane(axis, d, above_top.value, above_top.error);
-
-    const mask_t<W> parallel = !low.exists, upward = !low.entering, yes = W(0) == W(0);
-    const mask_t<W> between =
-        every(above_base.value >= -tie<W>(above_base.error), above_top.value <= tie<W>(above_top.error));
-    const mask_t<W> exists = some(!parallel, between);
-    const mask_t<W> decided = every(abs(above_base.value) > above_base.error, abs(above_top.value) > above_top.error);
-    const mask_t<W> certain = every(low.certain, high.certain, some(!parallel, decided));
-    W near = select(parallel, -infinity<W>, min(low.t, high.t));
-    W far = select(parallel, infinity<W>, max(low.t, high.t));
-    bound_t<W> error = max(low.error, high.error);
+    using E = bound_t<W>;
+    const slope_along<W> speed = speed_across(axis, d);
+    W low = -above_base.value * speed.inverse, high = -above_top.value * speed.inverse;
+    E error = speed.error_of(max(abs(E(low)), abs(E(high))), max(above_base.error, above_top.error));
+    const mask_t<W> yes = W(0) == W(0), upward = !(speed.value < W(0));
     const index_t<W> base_face(1), top_face(2);
-    return {{exists, certain, near, error, yes, select(upward, base_face, top_face)},
-            {exists, certain, far, error, !yes, select(upward, top_face, base_face)}};
+    chord<W> c{{yes, speed.certain, min(low, high), error, yes, select(upward, base_face, top_face)},
+               {yes, speed.certain, max(low, high), error, !yes, select(upward, top_face, base_face)}};
+    const mask_t<W> parallel = !speed.exists;
+    if (any(parallel)) {
+        const mask_t<W> between =
+            every(above_base.value >= -tie<W>(above_base.error), above_top.value <= tie<W>(above_top.error));
+        const mask_t<W> decided =
+            every(abs(above_base.value) > above_base.error, abs(above_top.value) > above_top.error);
+        c.near.t = select(parallel, -infinity<W>, c.near.t);
+        c.far.t = select(parallel, infinity<W>, c.far.t);
+        c.near.exists = c.far.exists = some(!parallel, between);
+        c.near.certain = c.far.certain = every(speed.certain, some(!parallel, decided));
+    }
+    return c;
 }
 
 /// The chord through the slab between the two planes that the caps lie in.
@@ -76,23 +81,27 @@ RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, co
                                      const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec,
                                      SideGradient side_gradient) {
     using Q = working_t<N>;
-    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
-    vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;
-    W axis2 = dot(axis, axis), height = dot(from_base, axis) / axis2;
+    vec3<W> axis = vec3<W>(top) - vec3<W>(base), d(ray.direction);
+    vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + d * c.t;
+    W height = dot(from_base, axis) / dot(axis, axis);
     vec3<W> across = from_base - axis * height;
-    vec3<Q> up = normalize_from<T>(vec3<Q>(axis)), from_axis(across);
-    vec3<Q> gradient = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
     const mask_t<T> side = c.face == index_t<T>(0), low = c.face == index_t<T>(1);
-    // Where a waist is too narrow for a normal, it is the axis, against the ray.
-    const Q steepness = length(gradient), turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction))));
-    vec3<Q> sideways = select(steepness > Q(0), gradient * quotient(Q(1), steepness, Q(0)),
-                              up * (turned * select(c.entering, Q(1), Q(-1))));
-    vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
+    vec3<Q> up = normalize_from<T>(vec3<Q>(axis)), from_axis(across);
+    vec3<Q> sideways = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
+    // One root and one division for both: to make the gradient unit, and to compare a cap's point with its radius.
+    const Q size = length(select(side, sideways, from_axis)), radius(select(low, radii.x, radii.y));
+    const Q over = quotient(Q(1), select(side, size, radius), Q(0));
+    vec3<Q> outward = select(side, sideways * over, up * select(low, Q(-1), Q(1)));
+    const mask_t<T> waist = every(side, !(size > Q(0)));
+    if (any(waist)) {  // too narrow for a normal: it is the axis, against the ray
+        const Q turned = copysign(Q(1), Q(-dot(axis, d))) * select(c.entering, Q(1), Q(-1));
+        outward = select(waist, up * turned, outward);
+    }
 
     record_point(ray, c, rec, bend);
     rec.normal = vec3<N>(outward * select(c.entering, Q(1), Q(-1)));
     const frame<Q> f = frame_about(up);
-    const T rho = quotient(T(length(from_axis)), select(low, radii.x, radii.y), T(0));
+    const T rho(size * over);
     rec.uv = {turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))),
               max(T(0), min(T(1), select(side, T(height), rho)))};
 }

@@ -75,25 +75,46 @@ RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const cros
             select(mask, a.uv, b.uv)};
 }
 
-/// Where a function is zero that has this value at t = 0 and, all the way to there, this slope: one step of Newton's
-/// method.
-/// \param slope_error  how far the slope may be from that anywhere on the way
-template <real W>
-RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value_error, const W& slope,
-                                         const bound_t<W>& slope_error) {
+/// How fast a function changes along the line.
+template <class W>
+struct slope_along {
     using E = bound_t<W>;
-    W per_value = quotient(W(1), slope, W(0)), t = -value * per_value;
+
+    W value;
+    E error;                    ///< how far it may be from that anywhere on the way to where the function is zero
+    W inverse;                  ///< 0 where there is no slope
+    mask_t<W> exists, certain;  ///< is there a slope, and is that right whatever the rounding errors were?
+
+    /// Bound of the error of t = -value / slope: with the slope above twice its error, 1 / (|slope| - error) is at most
+    /// 2 / |slope|.
+    RAIO_FN constexpr E error_of(const E& t, const E& value_error) const {
+        E size = abs(t);
+        E of_both = E(2) * (value_error + size * error) * abs(E(inverse));
+        return with_underflow<W>(of_both + E(4 * unit_roundoff<W>) * size);
+    }
+};
+
+template <real W>
+RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& error) {
+    using E = bound_t<W>;
     E size = abs(E(slope));
-    // With the slope above twice its error, 1 / (|slope| - error) is at most 2 / |slope|.
-    E error = E(2) * (value_error + abs(E(t)) * slope_error) * abs(E(per_value)) + E(4 * unit_roundoff<W>) * abs(E(t));
     // No slope at all is certain where no term of it has a size: not where one was too small for its digits, or is not
     // in the range.
     const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= with_underflow<W>(E(0)));
-    return {.exists = every(size > tie<W>(slope_error), in_range),
-            .certain = every(size >= E(2) * slope_error, in_range, has_digits),
+    return {slope, error, quotient(W(1), slope, W(0)), every(size > tie<W>(error), in_range),
+            every(size >= E(2) * error, in_range, has_digits)};
+}
+
+/// Where a function is zero that has this value at t = 0 and, all the way to there, this slope: one step of Newton's
+/// method.
+template <real W>
+RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value_error, const slope_along<W>& slope) {
+    W t = -value * slope.inverse;
+    return {.exists = slope.exists,
+            .certain = slope.certain,
             .t = t,
-            .error = with_underflow<W>(error),
-            .entering = slope < W(0)};
+            .error = slope.error_of(bound_t<W>(t), value_error),
+            .entering = slope.value < W(0)};
 }
 
 /// Is nothing left to find out: does every lane's line miss, beyond doubt?
@@ -141,16 +162,15 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     using E = bound_t<W>;
     const mask_t<W> b_enters_later = a.near.t < b.near.t, b_leaves_first = b.far.t < a.far.t;
     // The crossing that was passed over counts as far as its error reaches beyond the chosen one.
-    const auto error = [](const mask_t<W>& second, const crossing<W>& x, const crossing<W>& y) {
-        E apart = abs(E(y.t - x.t));
-        return max(select(second, y.error, x.error), select(second, x.error, y.error) - apart);
+    const auto error = [](const W& chosen, const crossing<W>& x, const crossing<W>& y) {
+        return max(E(0), max(x.error - abs(E(chosen - x.t)), y.error - abs(E(chosen - y.t))));
     };
     chord<W> both = a;
     both.near.t = max(a.near.t, b.near.t);
-    both.near.error = error(b_enters_later, a.near, b.near);
+    both.near.error = error(both.near.t, a.near, b.near);
     both.near.face = select(b_enters_later, b.near.face, a.near.face);
     both.far.t = min(a.far.t, b.far.t);
-    both.far.error = error(b_leaves_first, a.far, b.far);
+    both.far.error = error(both.far.t, a.far, b.far);
     both.far.face = select(b_leaves_first, b.far.face, a.far.face);
 
     W inside = both.far.t - both.near.t;

@@ -6,6 +6,14 @@
 
 namespace raio {
 
+/// How fast the height above a plane changes along a line.
+template <real W>
+RAIO_FN constexpr slope_along<W> speed_across(const vec3<W>& normal, const vec3<W>& direction) {
+    using E = bound_t<W>;
+    E error = E(4 * unit_roundoff<W>) * dot(abs(vec3<E>(normal)), abs(vec3<E>(direction)));
+    return slope_of(dot(normal, direction), error);
+}
+
 /// Where a line crosses a plane, at t = -height / normal.direction; nowhere, if it runs parallel, inside the plane
 /// included.
 /// \param height  normal.(origin - a point of the plane)
@@ -13,9 +21,7 @@ namespace raio {
 template <real W>
 RAIO_FN constexpr crossing<W> cross_plane(const vec3<W>& normal, const vec3<W>& direction, const W& height,
                                           const bound_t<W>& height_error) {
-    using E = bound_t<W>;
-    E speed_error = E(4 * unit_roundoff<W>) * dot(abs(vec3<E>(normal)), abs(vec3<E>(direction)));
-    return cross_zero(height, height_error, dot(normal, direction), speed_error);
+    return cross_zero(height, height_error, speed_across(normal, direction));
 }
 
 /// The signed height of `origin` above the plane through `point`, times the length of the normal, and its error bound.

@@ -38,7 +38,7 @@ template <class X, class W>
 RAIO_FN constexpr crossing<W> newton_step(const X& value, const bound_t<X>& value_error, const W& slope,
                                           const bound_t<X>& slope_error) {
     // The smallest normal number stands for all that underflows.
-    return cross_zero(W(value), value_error + bound_t<X>(least_normal<X>), slope, slope_error);
+    return cross_zero(W(value), value_error + bound_t<X>(least_normal<X>), slope_of<W>(slope, slope_error));
 }
 
 /// The same crossing in the precision of X. The shape's `correction(nearby, c)` is that crossing as the ray from c.t on

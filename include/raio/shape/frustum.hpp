@@ -56,13 +56,15 @@ RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, 
     W axis2 = dot(axis, axis), r(radii.x), widening = W(radii.y) - r;
     const auto gradient = [&](const vec3<W>& from_axis, const W& height) {
         vec3<W> off = from_axis - axis * (widening * (r + widening * height) / axis2);
+        const mask_t<W> at_apex = norm1(vec3<E>(from_axis)) <= norm1(vec3<E>(d)) * c.error;
+        if (none(at_apex)) return off;
         // At its apex a cone has no normal. Seen along the axis it looks like a plane; a ray that only touches it there
         // comes from the side.
         const W side = select(c.entering, W(1), W(-1));
         vec3<W> tip = axis * copysign(W(1), -widening);
         W forward = max(W(0), dot(tip, d) * side) * side;
         tip = tip - d * (forward / dot(d, d));
-        return select(norm1(vec3<E>(from_axis)) <= norm1(vec3<E>(d)) * c.error, tip, off);
+        return select(at_apex, tip, off);
     };
     const T bend = max(radii.x, radii.y) + norm1(vec3<T>(axis));
     axial_surface(base, top, radii, bend, ray, c, rec, gradient);
