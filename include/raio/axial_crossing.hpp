@@ -72,6 +72,14 @@ RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
     return c;
 }
 
+/// What is missing of a crossing; `side` says that of the side.
+template <class X, class W, real T, class Side>
+RAIO_FN constexpr crossing<W> correct_axial(const vec3<T>& base, const vec3<T>& top, const nearby_ray<X, W>& ray,
+                                            const crossing<W>& c, Side side) {
+    if (c.face == 0) return side();
+    return correct_plane(vec3<X>(top) - vec3<X>(base), c.face == 1 ? base : top, ray);
+}
+
 /// What all of them record: the normal and uv of the face that was hit.
 /// \param radii          of the two caps
 /// \param bend           how far the side curves at most

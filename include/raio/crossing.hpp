@@ -59,6 +59,7 @@ struct crossing {
     mask_t<W> entering;    ///< does the line come from the outside here?
     index_t<W> face = {};  ///< which face of the shape, as the shape counts them
     vec2<W> uv = {};       ///< where on it, if the shape finds that on the way
+    mask_t<W> shared{};    ///< may it be another face that is crossed there?
 };
 
 /// Two crossings of one line, in order. Of a convex solid both exist or none does, and the line is inside between them.
@@ -72,7 +73,7 @@ RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const cros
     const auto either = [&](const Mask& x, const Mask& y) { return some(every(mask, x), every(!mask, y)); };
     return {either(a.exists, b.exists),     either(a.certain, b.certain),   select(mask, a.t, b.t),
             select(mask, a.error, b.error), either(a.entering, b.entering), select(mask, a.face, b.face),
-            select(mask, a.uv, b.uv)};
+            select(mask, a.uv, b.uv),       either(a.shared, b.shared)};
 }
 
 /// How fast a function changes along the line.
@@ -165,13 +166,18 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     const auto error = [](const W& chosen, const crossing<W>& x, const crossing<W>& y) {
         return max(E(0), max(x.error - abs(E(chosen - x.t)), y.error - abs(E(chosen - y.t))));
     };
+    const auto shared = [](const mask_t<W>& second, const crossing<W>& x, const crossing<W>& y) {
+        return some(abs(E(y.t - x.t)) <= x.error + y.error, every(second, y.shared), every(!second, x.shared));
+    };
     chord<W> both = a;
     both.near.t = max(a.near.t, b.near.t);
     both.near.error = error(both.near.t, a.near, b.near);
     both.near.face = select(b_enters_later, b.near.face, a.near.face);
+    both.near.shared = shared(b_enters_later, a.near, b.near);
     both.far.t = min(a.far.t, b.far.t);
     both.far.error = error(both.far.t, a.far, b.far);
     both.far.face = select(b_leaves_first, b.far.face, a.far.face);
+    both.far.shared = shared(b_leaves_first, a.far, b.far);
 
     W inside = both.far.t - both.near.t;
     E slack = both.near.error + both.far.error;

@@ -40,13 +40,13 @@ RAIO_FN constexpr plane_height<W> height_above(const vec3<W>& normal, const vec3
 }
 
 /// What is missing of a crossing with the plane through `point`.
+/// \param normal  off by a rounding of X at most
 template <class X, class W, real T>
-RAIO_FN constexpr crossing<W> correct_plane(const vec3<T>& normal, const vec3<T>& point, const nearby_ray<X, W>& ray) {
+RAIO_FN constexpr crossing<W> correct_plane(const vec3<X>& normal, const vec3<T>& point, const nearby_ray<X, W>& ray) {
     using E = bound_t<X>;
     auto [p, p_error] = ray.seen_from(point);
-    vec3<X> n(normal);
-    E size = norm1(vec3<E>(n)), error = p_error + E(5 * unit_roundoff<X>) * norm1(vec3<E>(p));
-    return cross_plane(vec3<W>(n), ray.direction, W(dot(n, p)), size * error);
+    E size = norm1(vec3<E>(normal)), error = p_error + E(8 * unit_roundoff<X>) * norm1(vec3<E>(p));
+    return cross_plane(vec3<W>(normal), ray.direction, W(dot(normal, p)), size * error);
 }
 
 /// Where a line crosses a plane, and how far from a point of that plane: the square of the distance and its error

@@ -27,6 +27,13 @@ struct revolved_quadric {
     W c0, c1, c2;    ///< squares of lengths
     W discriminant;  ///< c1^2 / 4 - c0 c2, found without that difference; at least 0 if the axis meets the surface
     W radius;        ///< nothing that counts of the surface is farther from the axis
+
+    /// v rho^2 - c0 - c1 h - c2 h^2, times (A.A)^2, at the point p as seen from B.
+    RAIO_FN constexpr W level(const vec3<W>& p) const {
+        vec3<W> across = cross(p, axis);
+        W axis2 = dot(axis, axis), height = dot(p, axis);
+        return axis2 * (v * dot(across, across) - axis2 * c0 - c1 * height) - c2 * height * height;
+    }
 };
 
 /// Where a line is inside a quadric.
@@ -138,16 +145,32 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
         // Whether the line starts on the surface, its coefficients from the origin on say without a division.
         const bool near_0 = abs(E(near)) <= error, far_0 = abs(E(far_end)) <= error;
         if (near_0 || far_0) {
-            vec3<W> across = cross(to_center, s.axis);
-            W height = -dot(to_center, s.axis);
-            const bool starts =
-                axis2 * (s.v * dot(across, across) - axis2 * s.c0 - s.c1 * height) == s.c2 * height * height;
+            const bool starts = s.level(-to_center) == zero;
             if (near_0 && starts) near = zero;
             if (far_0 && starts) far_end = zero;
             if (starts) error = error + error;
         }
     }
     return {{{exists, certain, near, error, !hollow}, {exists, certain, far_end, error, hollow}}, hollow};
+}
+
+/// What is missing of a crossing.
+/// \param at  where the ray is, as seen from B
+template <class X, class W>
+RAIO_FN constexpr crossing<W> correct_quadric(const revolved_quadric<X>& s, const nearby_point<X>& at, const vec3<W>& d,
+                                              const crossing<W>& c) {
+    using E = bound_t<X>;
+    vec3<W> p(at.place), axis(s.axis);
+    W v(s.v), c0(s.c0), c1(s.c1), c2(s.c2), axis2 = dot(axis, axis), along = dot(d, axis), height = dot(p, axis);
+    W slope = axis2 * (W(2) * v * dot(cross(p, axis), cross(d, axis)) - c1 * along) - W(2) * c2 * height * along;
+
+    // All along the step the level's gradient is at most `steep`, and that of the slope `curved` |d|.
+    E area(axis2), size = norm1(vec3<E>(p)), speed = norm1(vec3<E>(d)), far = size + speed * c.error;
+    E curved = E(2) * area * (v * area + abs(E(c2))), of_c1 = area * abs(E(c1)) * norm1(vec3<E>(axis));
+    E steep = curved * far + of_c1, terms = steep * size + area * area * abs(E(c0));
+    E value_error = steep * at.error + E(64 * unit_roundoff<X>) * terms;
+    E slope_error = curved * speed * speed * c.error + E(64 * unit_roundoff<W>) * steep * speed;
+    return newton_step(s.level(at.place), value_error, slope, slope_error);
 }
 
 }  // namespace raio

@@ -11,19 +11,21 @@
 
 namespace raio {
 
+/// A point close to a crossing, seen from another, and the bound of its error, which is the sum of its components'.
+template <class X>
+struct nearby_point {
+    vec3<X> place;
+    bound_t<X> error;
+};
+
 /// A ray that has gone a step, in the precision of X, to a point close to its crossing.
 template <class X, class W>
 struct nearby_ray {
     vec3<X> origin, step;
     vec3<W> direction;
 
-    /// The point, seen from another, and the bound of its error, which is the sum of its components'.
-    struct point {
-        vec3<X> place;
-        bound_t<X> error;
-    };
     template <real T>
-    RAIO_FN constexpr point seen_from(const vec3<T>& base) const {
+    RAIO_FN constexpr nearby_point<X> seen_from(const vec3<T>& base) const {
         using E = bound_t<X>;
         vec3<X> from_base = origin - vec3<X>(base);
         E terms = norm1(vec3<E>(from_base)) + norm1(vec3<E>(step));
@@ -56,7 +58,7 @@ RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, con
     E beyond = abs(E(t - X(simple)));
     if (beyond <= error) t = X(simple), error += beyond;
     return {.exists = c.exists,
-            .certain = every(c.certain, missing.exists, missing.certain),
+            .certain = every(c.certain, !c.shared, missing.exists, missing.certain),
             .t = t,
             .error = error,
             .entering = c.entering,

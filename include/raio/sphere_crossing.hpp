@@ -44,19 +44,17 @@ RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, cons
     return {{exists, certain, t.x, error, exists}, {exists, certain, t.y, error, !exists}};
 }
 
-/// What is missing of a crossing c: one step of Newton's method towards |p - center|^2 = radius^2, whose slope
-/// 2 (p - center).d grows by 2 d.d for each length of the direction.
-template <class X, class W, real T>
-RAIO_FN constexpr crossing<W> correct_sphere(const vec3<T>& center, T radius, const nearby_ray<X, W>& ray,
+/// What is missing of a crossing: one step of Newton's method towards |p|^2 = radius^2, whose slope 2 p.d grows by 2
+/// d.d for each length of the direction. Each of the numbers may be off by three roundings. \param at  where the line
+/// is, as seen from the centre
+template <class X, class W>
+RAIO_FN constexpr crossing<W> correct_sphere(const nearby_point<X>& at, const vec3<W>& d, const X& radius,
                                              const crossing<W>& c) {
     using E = bound_t<X>;
-    auto [p, p_error] = ray.seen_from(center);
-    X r(radius);
-    vec3<W> outward(p);
-    E size = norm1(vec3<E>(outward)) + E(r), error = E(2) * p_error + E(8 * unit_roundoff<X>) * size;
-    E slope_error = E(2) * dot(ray.direction, ray.direction) * c.error +
-                    E(8 * unit_roundoff<W>) * size * norm1(vec3<E>(ray.direction));
-    return newton_step(dot(p, p) - r * r, size * error, W(2) * dot(outward, ray.direction), slope_error);
+    vec3<W> p(at.place);
+    E size = norm1(vec3<E>(p)) + E(radius), error = E(2) * at.error + E(16 * unit_roundoff<X>) * size;
+    E slope_error = E(2) * dot(d, d) * c.error + E(16 * unit_roundoff<W>) * size * norm1(vec3<E>(d));
+    return newton_step(dot(at.place, at.place) - radius * radius, size * error, W(2) * dot(p, d), slope_error);
 }
 
 }  // namespace raio

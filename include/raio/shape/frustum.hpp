@@ -32,19 +32,36 @@ RAIO_FN constexpr chord<W> one_nappe(const quadric_chord<W>& c, const mask_t<W>&
     return {near, far_end};
 }
 
+/// The side, from the end with the lesser radius on.
+template <class W, real T>
+RAIO_FN constexpr revolved_quadric<W> nappes(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
+    const mask_t<T> turned = radii.y < radii.x;
+    vec3<W> axis = vec3<W>(select(turned, base, top)) - vec3<W>(select(turned, top, base));
+    W r(min(radii.x, radii.y)), radius(max(radii.x, radii.y)), widening = radius - r;
+    return {axis, W(1), r * r, W(2) * r * widening, widening * widening, W(0), radius};
+}
+
 /// The chord through the one nappe, endless at its wide end.
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
                                        const ray<R>& ray) {
-    const mask_t<T> turned = radii.y < radii.x;
-    vec3<W> from(select(turned, top, base)), axis = vec3<W>(select(turned, base, top)) - from, d(ray.direction);
-    vec3<W> to_center = from - vec3<W>(ray.origin);
-    W r(min(radii.x, radii.y)), radius(max(radii.x, radii.y)), widening = radius - r;
-    revolved_quadric<W> cone{axis, W(1), r * r, W(2) * r * widening, widening * widening, W(0), radius};
+    vec3<W> to_center = vec3<W>(select(radii.y < radii.x, top, base)) - vec3<W>(ray.origin), d(ray.direction);
+    revolved_quadric<W> cone = nappes<W>(base, top, radii);
     const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0));
-    chord<W> c = one_nappe(cross_quadric(cone, to_center, norm1(vec3<bound_t<W>>(to_center)), d), dot(d, axis) > W(0));
+    chord<W> c =
+        one_nappe(cross_quadric(cone, to_center, norm1(vec3<bound_t<W>>(to_center)), d), dot(d, cone.axis) > W(0));
     c.near.exists = c.far.exists = every(c.near.exists, sound);
     return c;
+}
+
+/// What is missing of a crossing.
+template <class X, class W, real T>
+RAIO_FN constexpr crossing<W> correct_frustum(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
+                                              const nearby_ray<X, W>& ray, const crossing<W>& c) {
+    return correct_axial(base, top, ray, c, [&] {
+        const auto from_narrow_end = ray.seen_from(radii.y < radii.x ? top : base);
+        return correct_quadric(nappes<X>(base, top, radii), from_narrow_end, ray.direction, c);
+    });
 }
 
 /// What both frusta record.
@@ -148,6 +165,11 @@ struct frustum {
         return c;
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_frustum(base, top, radii(), ray, c);
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::frustum_surface(base, top, radii(), ray, c, rec);
@@ -191,6 +213,11 @@ struct open_frustum {
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
         keep_if_reachable<T>(ray, c);
         return c;
+    }
+
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_frustum(base, top, radii(), ray, c);
     }
 
     template <class W, real R, real N>

@@ -45,15 +45,21 @@ RAIO_FN constexpr hyperboloid_side<W> two_sheets(T gap, T end_radius) {
     return {select(sound, (W(1) - g) * (W(1) + g), W(1)), -(g * g) * end2, W(4) * end2, select(sound, end, W(0))};
 }
 
+/// The same, with the axis that it turns about.
+template <class W, real T>
+RAIO_FN constexpr revolved_quadric<W> endless_hyperboloid(const vec3<T>& base, const vec3<T>& top,
+                                                          const hyperboloid_side<W>& side) {
+    return {vec3<W>(top) - vec3<W>(base), side.v, side.c0, W(0), side.c2, -side.c0 * side.c2, side.radius};
+}
+
 /// Where the line is inside the endless hyperboloid.
 template <class W, real T, real R>
 RAIO_FN constexpr quadric_chord<W> cross_endless_hyperboloid(const vec3<T>& base, const vec3<T>& top,
                                                              const hyperboloid_side<W>& side, const ray<R>& ray) {
     vec3<W> to_base = vec3<W>(base) - vec3<W>(ray.origin), to_top = vec3<W>(top) - vec3<W>(ray.origin);
-    vec3<W> axis = vec3<W>(top) - vec3<W>(base), to_center = (to_base + to_top) * W(0.5);
+    vec3<W> to_center = (to_base + to_top) * W(0.5);
     bound_t<W> far = norm1(vec3<bound_t<W>>(to_base)) + norm1(vec3<bound_t<W>>(to_top));
-    revolved_quadric<W> quadric{axis, side.v, side.c0, W(0), side.c2, -side.c0 * side.c2, side.radius};
-    return cross_quadric(quadric, to_center, far, vec3<W>(ray.direction));
+    return cross_quadric(endless_hyperboloid(base, top, side), to_center, far, vec3<W>(ray.direction));
 }
 
 /// The crossings with the solid between the caps.
@@ -90,6 +96,21 @@ RAIO_FN constexpr chord<W> cross_side(const vec3<T>& base, const vec3<T>& top, c
     c = {within(slab, c.near), within(slab, c.far)};
     keep_if_reachable<T>(ray, c);
     return c;
+}
+
+/// What is missing of a crossing.
+template <class X, class W, real T>
+RAIO_FN constexpr crossing<W> correct_hyperboloid(const vec3<T>& base, const vec3<T>& top,
+                                                  const hyperboloid_side<X>& side, const nearby_ray<X, W>& ray,
+                                                  const crossing<W>& c) {
+    return correct_axial(base, top, ray, c, [&] {
+        using E = bound_t<X>;
+        const revolved_quadric<X> quadric = endless_hyperboloid(base, top, side);
+        auto [from_base, error] = ray.seen_from(base);
+        vec3<X> to_center = quadric.axis * X(0.5), from_center = from_base - to_center;
+        error += E(4 * unit_roundoff<X>) * (norm1(vec3<E>(from_base)) + norm1(vec3<E>(to_center)));
+        return correct_quadric(quadric, nearby_point<X>{from_center, error}, ray.direction, c);
+    });
 }
 
 /// What all of them record.
@@ -134,6 +155,11 @@ struct hyperboloid {
         return detail::cross_capped(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_hyperboloid(base, top, detail::one_sheet<X>(waist_radius, end_radius), ray, c);
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::hyperboloid_surface(base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius), ray, c, rec);
@@ -163,6 +189,11 @@ struct open_hyperboloid {
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         return detail::cross_side(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
+    }
+
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_hyperboloid(base, top, detail::one_sheet<X>(waist_radius, end_radius), ray, c);
     }
 
     template <class W, real R, real N>
@@ -197,6 +228,11 @@ struct two_sheet_hyperboloid {
         return detail::cross_capped(base, top, detail::two_sheets<W>(gap, end_radius), ray);
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_hyperboloid(base, top, detail::two_sheets<X>(gap, end_radius), ray, c);
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::hyperboloid_surface(base, top, end_radius, detail::two_sheets<W>(gap, end_radius), ray, c, rec);
@@ -225,6 +261,11 @@ struct open_two_sheet_hyperboloid {
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         return detail::cross_side(base, top, detail::two_sheets<W>(gap, end_radius), ray);
+    }
+
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_hyperboloid(base, top, detail::two_sheets<X>(gap, end_radius), ray, c);
     }
 
     template <class W, real R, real N>

@@ -18,14 +18,30 @@ namespace raio {
 
 namespace detail {
 
+/// The side, from the vertex on.
+template <class W, real T>
+RAIO_FN constexpr revolved_quadric<W> endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, T radius) {
+    W r(radius), r2 = r * r, zero(0);
+    return {vec3<W>(top) - vec3<W>(vertex), W(1), zero, r2, zero, W(0.25) * r2 * r2, r};
+}
+
 /// The chord through the endless paraboloid.
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, T radius,
                                                     const ray<R>& ray) {
-    vec3<W> axis = vec3<W>(top) - vec3<W>(vertex), to_center = vec3<W>(vertex) - vec3<W>(ray.origin);
-    W r(radius), r2 = r * r, zero(0);
-    revolved_quadric<W> paraboloid{axis, W(1), zero, r2, zero, W(0.25) * r2 * r2, r};
-    return cross_quadric(paraboloid, to_center, norm1(vec3<bound_t<W>>(to_center)), vec3<W>(ray.direction)).ends;
+    vec3<W> to_center = vec3<W>(vertex) - vec3<W>(ray.origin);
+    return cross_quadric(endless_paraboloid<W>(vertex, top, radius), to_center, norm1(vec3<bound_t<W>>(to_center)),
+                         vec3<W>(ray.direction))
+        .ends;
+}
+
+/// What is missing of a crossing.
+template <class X, class W, real T>
+RAIO_FN constexpr crossing<W> correct_paraboloid(const vec3<T>& vertex, const vec3<T>& top, T radius,
+                                                 const nearby_ray<X, W>& ray, const crossing<W>& c) {
+    return correct_axial(vertex, top, ray, c, [&] {
+        return correct_quadric(endless_paraboloid<X>(vertex, top, radius), ray.seen_from(vertex), ray.direction, c);
+    });
 }
 
 /// What both paraboloids record.
@@ -120,6 +136,11 @@ struct paraboloid {
         return c;
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_paraboloid(vertex, top, radius, ray, c);
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::paraboloid_surface(vertex, top, radius, ray, c, rec);
@@ -160,6 +181,11 @@ struct open_paraboloid {
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
         keep_if_reachable<T>(ray, c);
         return c;
+    }
+
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_paraboloid(vertex, top, radius, ray, c);
     }
 
     template <class W, real R, real N>

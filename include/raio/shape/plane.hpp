@@ -43,7 +43,7 @@ struct plane {
 
     template <class X, class W>
     RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>&) const {
-        return correct_plane(normal, point, ray);
+        return correct_plane(vec3<X>(normal), point, ray);
     }
 
     template <class W, real R, real N>

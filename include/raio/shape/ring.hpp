@@ -64,7 +64,7 @@ struct ring {
 
     template <class X, class W>
     RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>&) const {
-        return correct_plane(normal, center, ray);
+        return correct_plane(vec3<X>(normal), center, ray);
     }
 
     template <class W, real R, real N>

@@ -49,7 +49,7 @@ struct sphere {
 
     template <class X, class W>
     RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return correct_sphere(center, radius, ray, c);
+        return correct_sphere(ray.seen_from(center), ray.direction, X(radius), c);
     }
 
     template <class W, real R, real N>
