@@ -63,8 +63,12 @@ struct round_cone {
 
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> ends = unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray));
-        chord<W> c = unite(cross_side<W>(ray), ends);
+        chord<W> c = cross_side<W>(ray);
+        // The spheres lie within the endless cone: where it is crossed between them, they are not.
+        const index_t<W> side(0);
+        const mask_t<W> beside = every(c.near.exists, c.near.certain, c.near.face == side, c.far.face == side);
+        if (!all(beside))
+            c = unite(c, unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray)));
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         vec3<W> axis = vec3<W>(top) - vec3<W>(base);
         const T lesser = min(base_radius, top_radius);
@@ -122,19 +126,19 @@ private:
     template <class W, real R>
     RAIO_FN constexpr chord<W> cross_side(const ray<R>& ray) const {
         using E = bound_t<W>;
-        using X = exact_t<T>;
         const mask_t<T> turned = top_radius < base_radius;
         vec3<T> from = select(turned, top, base), to = select(turned, base, top);
         const T lesser = min(base_radius, top_radius), larger = max(base_radius, top_radius);
-        // D cancels where the cone is wide: it is found in the last precision.
-        vec3<X> exact_axis = vec3<X>(to) - vec3<X>(from);
-        X exact_widening = X(larger) - X(lesser), axis2 = dot(exact_axis, exact_axis);
-        X apart = axis2 - exact_widening * exact_widening;
-        const mask_t<W> sided = apart > X(0);
-        W scale(quotient(axis2, max(apart, X(0)), X(0)));
-
         vec3<W> axis = vec3<W>(to) - vec3<W>(from), d(ray.direction), to_center = vec3<W>(from) - vec3<W>(ray.origin);
-        W r(lesser), widening = W(larger) - r;
+        W r(lesser), widening = W(larger) - r, axis2 = dot(axis, axis), apart = axis2 - widening * widening;
+        if (!all(axis2 >= W(8) * (axis2 - apart))) {  // D cancels where the cone is wide: there it takes more digits
+            using X = exact_t<T>;
+            vec3<X> exact_axis = vec3<X>(to) - vec3<X>(from);
+            X exact_widening = X(larger) - X(lesser), exact_axis2 = dot(exact_axis, exact_axis);
+            axis2 = W(exact_axis2), apart = W(exact_axis2 - exact_widening * exact_widening);
+        }
+        const mask_t<W> sided = apart > W(0);
+        W scale = quotient(axis2, max(apart, W(0)), W(0));
         revolved_quadric<W> cone{
             axis, W(1), scale * r * r, W(2) * scale * r * widening, scale * widening * widening, W(0), W(larger)};
         chord<W> c =
@@ -142,13 +146,14 @@ private:
         if constexpr (std::same_as<mask_t<W>, bool>) {
             // Whether the line starts on the cone, rho^2 D = (r + w h)^2 A.A says without a division.
             const bool near_0 = abs(E(c.near.t)) <= c.near.error, far_0 = abs(E(c.far.t)) <= c.far.error;
-            W height = -dot(to_center, axis), reach = r * W(axis2) + widening * height;
+            W height = -dot(to_center, axis), reach = r * axis2 + widening * height;
             vec3<W> across = cross(to_center, axis);
-            if ((near_0 || far_0) && dot(across, across) * W(apart) == reach * reach) {
+            if ((near_0 || far_0) && dot(across, across) * apart == reach * reach) {
                 if (near_0) c.near.t = W(0);
                 if (far_0) c.far.t = W(0);
             }
         }
+        if (missed(c)) return c;
         const auto above = [&](const vec3<T>& center, T radius) {
             plane_height<W> height = height_above<W>(axis, center, ray.origin);
             W lower = widening * W(radius);
