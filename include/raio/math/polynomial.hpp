@@ -97,6 +97,9 @@ public:
     /// polynomial
     RAIO_FN constexpr polynomial_roots<W, N> find(const E& tolerance, const E& between) const {
         polynomial_roots<W, N> found;
+        if constexpr (N == 2) {
+            if (solve(found)) return found;
+        }
         std::array<sample, N + 1> samples;
         std::size_t count = 0;
         samples[count++] = sample_at(low_, E(0), E(0));
@@ -143,6 +146,36 @@ private:
         return {t, reach, sign_beyond(p_(t), noise_(E(abs(t)) + reach) + reach * slope)};
     }
 
+    /// The closed form of degree 2 loses no root where the sign of its discriminant is not in doubt. False if it is, or
+    /// if a root may be on an end.
+    RAIO_FN constexpr bool solve(polynomial_roots<W, N>& found) const requires(N == 2) {
+        const auto& c = p_.coefficient;
+        const auto& off = noise_.coefficient;
+        W half = c[1] * W(-0.5), square = half * half - c[2] * c[0];
+        E square_error = off[1] * (abs(E(half)) + off[1]) + off[0] * abs(E(c[2])) + off[2] * (abs(E(c[0])) + off[0]) +
+                         E(least_normal<W>);
+        if (E(square) < -square_error) return true;
+        if (!(E(square) > E(4) * square_error && abs(E(c[2])) > E(2) * off[2])) return false;
+        W root = sqrt(square), q = half + copysign(root, half), one = q / c[2], other = c[0] / q;
+        // With the roots r and r' of the polynomial that is meant, its value at t is c2 (t - r) (t - r'). The farther
+        // one is at least half of their distance away, which is 2 root / |c2|: so |t - r| is at most |value| / root.
+        E over_root = E(1.25) / E(root), low(low_), high(high_), last = -infinity<E>;
+        const int outside = c[2] > W(0) ? 1 : -1;
+        for (const bool second : {false, true}) {
+            W t = second ? max(one, other) : min(one, other);
+            E value = E(abs(p_(t))) + noise_at(t), reach = value * over_root, from = E(t) - reach, to = E(t) + reach;
+            const bool within = low < from && to < high, beyond = to < low || high < from;
+            if (!(last < from) || !(within || beyond)) {
+                found.count = 0;
+                return false;
+            }
+            last = to;
+            const int before = second ? -outside : outside;
+            if (within) found.places[found.count++] = {t, reach, before, -before, E(12) * value};
+        }
+        return true;
+    }
+
     /// The distance of the next numbers from t; more than nothing at 0 as well.
     RAIO_FN constexpr E resolution(const W& t) const {
         E u(2 * unit_roundoff<W>);
@@ -154,12 +187,6 @@ private:
         W middle = a + (b - a) * W(0.5);
         if constexpr (N == 1) {
             return quotient(-p_.coefficient[0], p_.coefficient[1], middle);
-        } else if constexpr (N == 2) {
-            const auto& c = p_.coefficient;
-            W half = c[1] * W(-0.5), square = half * half - c[2] * c[0];
-            W q = half + copysign(sqrt(max(square, W(0))), half), one = quotient(q, c[2], low_),
-              other = quotient(c[0], q, low_);
-            return a <= one && one <= b ? one : a <= other && other <= b ? other : middle;
         } else {
             return middle;
         }
@@ -167,8 +194,11 @@ private:
 
     /// The one root between two samples of different signs.
     RAIO_FN constexpr polynomial_root<W> enclosed(const sample& from, const sample& to, const E& tolerance) const {
-        W a = from.t, b = to.t, t = guess(a, b), slope(0);
-        E step = E(b - a);
+        // The end that t takes the place of is as good as random: chosen by an index it is not guessed by the
+        // processor.
+        std::array<W, 2> ends{from.t, to.t};
+        W t = guess(from.t, to.t), slope(0);
+        E step = E(to.t - from.t);
         for (int i = 0; i < 256; ++i) {
             W value = p_.coefficient[N];
             slope = W(0);
@@ -176,13 +206,13 @@ private:
                 slope = slope * t + value;
                 value = value * t + p_.coefficient[k];
             }
-            ((value > W(0)) == (to.sign > 0) ? b : a) = t;
+            ends[(value > W(0)) == (to.sign > 0) ? 1 : 0] = t;
             W newton = t - quotient(value, slope, W(infinity<W>));
             E last_step = step;
             step = E(abs(newton - t));
-            const bool good = a <= newton && newton <= b && step <= E(0.5) * last_step;
-            t = good ? newton : a + (b - a) * W(0.5);
-            if (!good) step = E(abs(b - a));
+            const bool good = every(ends[0] <= newton, newton <= ends[1], step <= E(0.5) * last_step);
+            t = good ? newton : ends[0] + (ends[1] - ends[0]) * W(0.5);
+            if (!good) step = E(abs(ends[1] - ends[0]));
             if (!(step > (good ? tolerance : E(unit_roundoff<W>)) * E(abs(t)))) break;
         }
 
