@@ -29,6 +29,10 @@ struct line_part {
         return {{from[axis], along[axis]}, {error[axis], E(2 * unit_roundoff<W>) * abs(E(along[axis]))}};
     }
 
+    RAIO_FN constexpr std::array<polynomial<W, 1>, 3> point() const {
+        return {coordinate(0), coordinate(1), coordinate(2)};
+    }
+
     RAIO_FN constexpr crossing<W> at(const polynomial_root<W>& root, bool entering) const {
         W step = half * root.t;
         E rounding = E(4 * unit_roundoff<W>) * (abs(E(middle)) + abs(E(step)));
@@ -174,6 +178,28 @@ template <class W, std::size_t N>
 RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N>& f, const line_part<W>& part,
                                                            const chord<W>& clip = everywhere<W>()) {
     return open_crossings(f, part, clip, [](const polynomial_root<W>&) { return true; });
+}
+
+/// What is missing of a crossing with the surface where f = 0. Of f along the line from c.t on only the constant term
+/// is needed in the precision of X. \param along  what f becomes, in any precision, where the coordinates are such
+/// polynomials
+template <class X, class W, class Along>
+RAIO_FN constexpr crossing<W> correct_algebraic(const nearby_point<X>& at, const vec3<W>& direction,
+                                                const crossing<W>& c, Along along) {
+    using E = bound_t<X>;
+    std::array<polynomial<X, 0>, 3> place;
+    std::array<polynomial<W, 1>, 3> line;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<std::size_t>(i);
+        W p(at.place[i]);
+        place[axis] = {{at.place[i]}, {at.error}};
+        line[axis] = {{p, direction[i]}, {at.error + E(unit_roundoff<W>) * abs(E(p)), E(0)}};
+    }
+    const polynomial<X, 0> value = along(place);
+    auto slope = along(line).derivative();
+    W here = slope.coefficient[0];
+    slope.coefficient[0] = W(0);
+    return newton_step(value.coefficient[0], value.error[0], here, slope.magnitude(c.error));
 }
 
 /// Records a point of the surface and the normal along the gradient of f, which points outwards. Where f has none, at a

@@ -160,7 +160,7 @@ TEST_CASE_TEMPLATE("algebraic: as exact arithmetic", T, float, double) {
     check_accuracy<algebraic<T, 4>>(normal_run / 2);
     check_accuracy<algebraic<T, 3>>(normal_run / 10, 1.0 / 200);
     check_accuracy<algebraic<T, 8>>(normal_run / 20, 1.0 / 200);
-    check_bounds_of_errors<algebraic<T, 4>>(normal_run / 10);
+    check_bounds_of_errors<algebraic<T, 4>>(normal_run / 10, 0.7);  // faces of the box are not refined
 }
 
 TEST_CASE_TEMPLATE("open_algebraic: as exact arithmetic", T, float, double) {

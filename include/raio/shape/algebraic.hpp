@@ -83,10 +83,17 @@ struct algebraic {
         if (!part.exists) return list;
         clip.near.face = clip.far.face = index_t<W>(1);
         if constexpr (Closed) {
-            return closed_crossings(along<W>(part), part, clip);
+            return closed_crossings(along(part.point()), part, clip);
         } else {
-            return open_crossings(along<W>(part), part, clip);
+            return open_crossings(along(part.point()), part, clip);
         }
+    }
+
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        if (c.face != index_t<W>(0)) return {};  // a face of the box: the formula decides
+        return correct_algebraic(ray.seen_from(vec3<T>(T(0))), ray.direction, c,
+                                 [this](const auto& point) { return this->along(point); });
     }
 
     template <class W, real R, real N>
@@ -128,16 +135,16 @@ private:
     }
 
     /// f along the line.
-    template <class W>
-    RAIO_FN constexpr polynomial<W, Degree> along(const line_part<W>& part) const {
-        const std::array point{part.coordinate(0), part.coordinate(1), part.coordinate(2)};
-        polynomial<W, Degree> sum;
+    template <class W, std::size_t N>
+    RAIO_FN constexpr polynomial<W, Degree * N> along(const std::array<polynomial<W, N>, 3>& point) const {
+        constexpr std::size_t degree = Degree * N;
+        polynomial<W, degree> sum;
         for (const algebraic_term<T>& term : terms) {
             if (term.coefficient == T(0)) continue;
-            polynomial<W, Degree> p{{W(term.coefficient)}};
-            for (unsigned i = 0; i < term.x; ++i) p = product<Degree>(p, point[0]);
-            for (unsigned i = 0; i < term.y; ++i) p = product<Degree>(p, point[1]);
-            for (unsigned i = 0; i < term.z; ++i) p = product<Degree>(p, point[2]);
+            polynomial<W, degree> p{{W(term.coefficient)}};
+            for (unsigned i = 0; i < term.x; ++i) p = product<degree>(p, point[0]);
+            for (unsigned i = 0; i < term.y; ++i) p = product<degree>(p, point[1]);
+            for (unsigned i = 0; i < term.z; ++i) p = product<degree>(p, point[2]);
             sum = sum + p;
         }
         return sum;

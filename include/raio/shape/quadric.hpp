@@ -66,6 +66,11 @@ struct quadric {
         return terms().template crossings<W>(ray);
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return terms().correction(ray, c);
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         terms().surface(ray, c, rec);

@@ -46,11 +46,7 @@ struct steiner {
         // The lobes reach as far as their tips at size / 3 (1, 1, 1), which are 0.58 away, and as the cube's faces.
         const auto part = part_near(ray, center, vec3<W>(center), W(size) * W(0.5859375));
         if (!part.exists) return {.certain = part.certain};
-        const auto over_size = constant(W(1) / W(size), 2);
-        const auto coordinate = [&](glm::length_t axis) { return product<1>(part.coordinate(axis), over_size); };
-        const auto x = coordinate(0), y = coordinate(1), z = coordinate(2);
-        const auto x2 = product<2>(x, x), y2 = product<2>(y, y), z2 = product<2>(z, z);
-        const auto f = product<4>(x2, y2 + z2) + product<4>(y2, z2) - product<4>(product<2>(x, y), z);
+        const auto f = along(part.point());
 
         // Where f only touches zero from above, that may be an axis beyond the cube.
         const auto belongs = [&](const polynomial_root<W>& root) {
@@ -66,6 +62,12 @@ struct steiner {
         return open_crossings(f, part, everywhere<W>(), belongs);
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return correct_algebraic(ray.seen_from(center), ray.direction, c,
+                                 [this](const auto& point) { return this->along(point); });
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
@@ -76,6 +78,17 @@ struct steiner {
         record_gradient(ray, c, gradient, size, rec);
         const auto place = [](const W& x) { return raio::max(T(0), raio::min(T(1), T(x + W(0.5)))); };
         rec.uv = {place(p.x), place(p.y)};
+    }
+
+private:
+    /// f along the line.
+    template <class W, std::size_t N>
+    RAIO_FN constexpr polynomial<W, 4 * N> along(const std::array<polynomial<W, N>, 3>& point) const {
+        const auto over_size = constant(W(1) / W(size), 2);
+        const auto coordinate = [&](std::size_t axis) { return product<N>(point[axis], over_size); };
+        const auto x = coordinate(0), y = coordinate(1), z = coordinate(2);
+        const auto x2 = product<2 * N>(x, x), y2 = product<2 * N>(y, y), z2 = product<2 * N>(z, z);
+        return product<4 * N>(x2, y2 + z2) + product<4 * N>(y2, z2) - product<4 * N>(product<2 * N>(x, y), z);
     }
 };
 

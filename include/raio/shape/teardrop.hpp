@@ -50,22 +50,16 @@ struct teardrop {
         W r(radius), axis2 = dot(axis, axis);
         const bool sound = radius > T(0) && axis2 >= W(least_normal<W>) && r * r >= W(least_normal<W>);
         if (!sound || !is_finite(bottom) || !is_finite(tip)) return {};
-        W over_axis2 = W(1) / axis2, over_r = W(1) / r;
         const auto part = part_near(ray, bottom, low + axis * W(0.5), sqrt(axis2 * W(0.25) + r * r));
         if (!part.exists) return {.certain = part.certain};
 
-        const auto x = part.coordinate(0), y = part.coordinate(1), z = part.coordinate(2);
-        const auto a = constant(axis.x, 1), b = constant(axis.y, 1), c = constant(axis.z, 1);
-        const auto along = product<1>(x, a) + product<1>(y, b) + product<1>(z, c);
-        const auto across2 = squared(product<1>(y, c) - product<1>(z, b)) +
-                             squared(product<1>(z, a) - product<1>(x, c)) +
-                             squared(product<1>(x, b) - product<1>(y, a));
-        const auto h = product<1>(along, constant(over_axis2, 8));
-        const auto below = polynomial<W, 1>{{W(1)}} - h;
-        const auto width = product<4>(product<4>(h, below), squared(below));
-        const auto scale = product<0>(constant(W(27) * over_axis2, 10), squared(constant(over_r, 1)));
-        const auto f = product<4>(across2, scale) - product<4>(width, constant(W(256)));
-        return open_crossings(f, part);
+        return open_crossings(along(part.point()), part);
+    }
+
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return correct_algebraic(ray.seen_from(bottom), ray.direction, c,
+                                 [this](const auto& point) { return this->along(point); });
     }
 
     template <class W, real R, real N>
@@ -88,6 +82,24 @@ struct teardrop {
     }
 
 private:
+    /// f along the line.
+    template <class W, std::size_t N>
+    RAIO_FN constexpr polynomial<W, 4 * N> along(const std::array<polynomial<W, N>, 3>& point) const {
+        vec3<W> axis = vec3<W>(tip) - vec3<W>(bottom);
+        W over_axis2 = W(1) / dot(axis, axis), over_r = W(1) / W(radius);
+        const auto &x = point[0], &y = point[1], &z = point[2];
+        const auto a = constant(axis.x, 1), b = constant(axis.y, 1), c = constant(axis.z, 1);
+        const auto height = product<N>(x, a) + product<N>(y, b) + product<N>(z, c);
+        const auto across2 = squared(product<N>(y, c) - product<N>(z, b)) +
+                             squared(product<N>(z, a) - product<N>(x, c)) +
+                             squared(product<N>(x, b) - product<N>(y, a));
+        const auto h = product<N>(height, constant(over_axis2, 8));
+        const auto below = polynomial<W, N>{{W(1)}} - h;
+        const auto width = product<4 * N>(product<4 * N>(h, below), squared(below));
+        const auto scale = product<0>(constant(W(27) * over_axis2, 10), squared(constant(over_r, 1)));
+        return product<4 * N>(across2, scale) - product<4 * N>(width, constant(W(256)));
+    }
+
     template <class W, std::size_t N>
     RAIO_FN static constexpr polynomial<W, 2 * N> squared(const polynomial<W, N>& p) {
         return product<2 * N>(p, p);
