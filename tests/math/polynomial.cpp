@@ -99,6 +99,17 @@ TEST_CASE_TEMPLATE("polynomial: roots far apart are certain, and each is found",
     CHECK(found_roots<W, 4>({-3, -1, 2, 7}, 3, 5).certain);
 }
 
+TEST_CASE_TEMPLATE("polynomial: the signs to both sides of two roots", W, strict_double, double_double, oracle) {
+    for (const int leading : {1, -1}) {
+        const auto roots = roots_between(with_roots<W, 2>(leading, {1, 3}), W(0), W(4));
+        REQUIRE((roots.certain && roots.count == 2));
+        CHECK((roots.places[0].before == leading && roots.places[0].after == -leading));
+        CHECK((roots.places[1].before == -leading && roots.places[1].after == leading));
+        CHECK(roots_between(with_roots<W, 2>(leading, {1, 3}), W(2), W(4)).begin()->before == -leading);
+        CHECK(roots_between(with_roots<W, 2>(leading, {1, 3}), W(4), W(5)).count == 0);
+    }
+}
+
 TEST_CASE_TEMPLATE("polynomial: of no degree that it could have", W, strict_double, double_double, oracle) {
     CHECK(found_roots<W, 4>({-3, 5}, -10, 10).count == 2);
     CHECK(found_roots<W, 8>({-3, 0, 5}, -10, 10).count == 3);
