@@ -63,15 +63,15 @@ RAIO_FN constexpr crossing<W> first_in_window(const crossing_list<W, N>& list, T
     }
     return {false, list.certain, W(0), bound_t<W>(0), false};
 }
-template <real T, class W, std::size_t N>
-RAIO_FN constexpr crossing<W> settled_in_window(const crossing_list<W, N>& list, T t_min, T t_max) {
+template <detail::question Asked, real T, class W, std::size_t N>
+RAIO_FN constexpr detail::verdict<W> settled_in_window(const crossing_list<W, N>& list, T t_min, T t_max) {
     if (list.certain) {
         for (const crossing<W>& c : list) {
-            crossing<W> settled = detail::settled_in_window(c, t_min, t_max);
-            if (settled.exists || !settled.certain) return settled;
+            detail::verdict<W> found = detail::settled_in_window<Asked>(c, t_min, t_max);
+            if (found.first.exists || !found.known) return found;
         }
     }
-    return {false, list.certain, W(0), bound_t<W>(0), false};
+    return {{false, list.certain, W(0), bound_t<W>(0), false}, list.certain};
 }
 
 namespace detail {

@@ -37,27 +37,33 @@ RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_ma
     return select(near.exists, near, first_in_window(c.far, t_min, t_max));
 }
 
-/// The same, `certain` only if exact arithmetic would say so too: wherever in its error t is, it lies inside the
-/// window, or outside.
-template <real T, class W>
-RAIO_FN constexpr crossing<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
-    if (!c.exists) return c;
-    const T low = T(c.t - c.error), high = T(c.t + c.error);
-    const bool inside = every(t_min <= low, high <= t_max, is_finite(high));
-    const bool outside = some(high < t_min, t_max < low);
-    c.certain = every(c.certain, some(inside, outside));
-    c.exists = inside;
-    return c;
-}
-template <real T, class W>
-RAIO_FN constexpr crossing<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
-    crossing<W> first = settled_in_window(c.near, t_min, t_max);
-    if (!first.exists && first.certain) first = settled_in_window(c.far, t_min, t_max);
-    return first;
-}
-
 /// What is asked of the first crossing: only whether there is one, or also where.
 enum class question { whether, where };
+
+/// The first crossing that may be in the window as W finds it, and whether exact arithmetic is known to say the same:
+/// the crossing is certain, wherever in its error t is, it lies inside the window, or outside; and if t is asked for,
+/// both ends of the error round to the same.
+template <class W>
+struct verdict {
+    crossing<W> first;
+    bool known;
+};
+
+template <question Asked, real T, class W>
+RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
+    if (!c.exists) return {c, c.certain};
+    const T low = T(c.t - c.error), high = T(c.t + c.error);
+    const bool inside = every(t_min <= low, high <= t_max, is_finite(high), Asked == question::whether || low == high);
+    const bool outside = some(high < t_min, t_max < low);
+    c.exists = !outside;
+    return {c, every(c.certain, some(inside, outside))};
+}
+template <question Asked, real T, class W>
+RAIO_FN constexpr verdict<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
+    verdict<W> found = settled_in_window<Asked>(c.near, t_min, t_max);
+    if (!found.first.exists && found.known) found = settled_in_window<Asked>(c.far, t_min, t_max);
+    return found;
+}
 
 /// Is t certain to the last bit of T: do both ends of its error round to the same?
 template <real T, class W>
@@ -76,33 +82,30 @@ concept correctable = requires(const Shape shape, const nearby_ray<X, W> ray, co
     shape.correction(ray, c);
 };
 
-template <real T, class Shape, real R, class Then>
-RAIO_FN constexpr mask_t<T> settle_exactly(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
-    auto exact = first_in_window(shape.template crossings<exact_t<T>>(ray), t_min, t_max);
-    if constexpr (works_first<T, R>) {
-        if (!exact.exists) {
-            // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
-            // range.
-            auto quick = shape.template crossings<working_t<T>>(ray);
-            auto verdict = settled_in_window(quick, t_min, t_max);
-            if (verdict.certain && verdict.exists) return then(verdict);
-        }
-    }
-    return then(exact);
-}
-
-/// Out of line: where this is rare, it must not cost the common case its registers.
-template <question Asked, real T, class Shape, real R, class W, class Then>
+/// The same question, if the quick crossing has not answered it: what is missing of that is added, or the exact formula
+/// decides. Out of line, and without what is known already: where this is rare, it must not cost the common case its
+/// registers.
+template <question Asked, real T, class Shape, real R, class Then>
 [[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
-                                                            const crossing<W>& quick, Then then) {
+                                                            Then then) {
+    using W = working_t<T>;
     using X = exact_t<T>;
-    if constexpr (Asked == question::where && correctable<Shape, X, W>) {
-        if (quick.certain) {
-            auto fine = refined<X>(shape, ray, quick);
-            if (fine.certain && rounds_to_one<T>(fine)) return then(fine);
+    if constexpr (works_first<T, R>) {
+        auto [quick, known] = settled_in_window<question::whether>(shape.template crossings<W>(ray), t_min, t_max);
+        if constexpr (Asked == question::where && correctable<Shape, X, W>) {
+            // Whatever the window is, it is the same crossing that is recorded.
+            if (quick.certain && quick.exists) {
+                auto fine = refined<X>(shape, ray, quick);
+                if (fine.certain && rounds_to_one<T>(fine) && in_window(fine, t_min, t_max)) return then(fine);
+            }
         }
+        auto exact = first_in_window(shape.template crossings<X>(ray), t_min, t_max);
+        // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
+        // range.
+        return !exact.exists && known && quick.exists ? then(quick) : then(exact);
+    } else {
+        return then(first_in_window(shape.template crossings<X>(ray), t_min, t_max));
     }
-    return settle_exactly(shape, ray, t_min, t_max, then);
 }
 
 /// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
@@ -110,14 +113,11 @@ template <question Asked, real T, class Shape, real R, class Then>
 RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T, R>) {
         keep_as_stored<T>(shape, ray);
-        auto quick = settled_in_window(shape.template crossings<working_t<T>>(ray), t_min, t_max);
-        const bool answers = Asked == question::whether || !quick.exists || rounds_to_one<T>(quick);
-        if (quick.certain && answers) [[likely]]
+        auto [quick, known] = settled_in_window<Asked>(shape.template crossings<working_t<T>>(ray), t_min, t_max);
+        if (known) [[likely]]
             return then(quick);
-        return settle_closer<Asked>(shape, ray, t_min, t_max, quick, then);
-    } else {
-        return settle_exactly(shape, ray, t_min, t_max, then);
     }
+    return settle_closer<Asked>(shape, ray, t_min, t_max, then);
 }
 
 }  // namespace detail
