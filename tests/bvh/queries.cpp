@@ -28,6 +28,39 @@ TEST_CASE_TEMPLATE("bvh: refit follows the shapes", T, float, double) {
     }
 }
 
+TEST_CASE_TEMPLATE("bvh: many rays at once, as each of them alone", T, float, double) {
+    random_numbers random(23);
+    const bvh tree{group{random_shapes<triangle<T>>(random, 300), random_shapes<sphere<T>>(random, 50),
+                         random_shapes<convex_polyhedron<T>>(random, 20)}};
+    int hits = 0;
+    for (int i = 0; i < normal_run / 100; ++i) {
+        // From one point, or side by side, or neither; and some that run nowhere.
+        const question<T> first(random);
+        std::vector<ray<T>> rays(static_cast<std::size_t>(random.integer(1, 64)), first.ray);
+        const T spread = static_cast<T>(random.log_uniform(1e-4, 1));
+        for (ray<T>& r : rays) {
+            if (random.one_in(2)) r.direction += within<T>(random, spread * norm1(first.ray.direction));
+            if (random.one_in(2)) r.origin += within<T>(random, spread);
+        }
+        if (random.one_in(20)) rays.back().direction = vec3<T>(0);
+        if (random.one_in(20)) rays.back().origin.x = std::numeric_limits<T>::quiet_NaN();
+        if (random.one_in(20)) rays.back() = question<T>(random).ray;
+        std::vector<hit_record<T>> found(rays.size());
+        const std::uint64_t hit = tree.hit(std::span<const ray<T>>(rays), first.t_min, first.t_max, found);
+        const std::uint64_t occluded = tree.occluded(std::span<const ray<T>>(rays), first.t_min, first.t_max);
+        for (std::size_t j = 0; j < rays.size(); ++j) {
+            hit_record<T> expected;
+            REQUIRE(tree.hit(rays[j], first.t_min, first.t_max, expected) == ((hit >> j & 1) != 0));
+            REQUIRE(same(found[j], expected));
+            REQUIRE(tree.occluded(rays[j], first.t_min, first.t_max) == ((occluded >> j & 1) != 0));
+        }
+        REQUIRE((rays.size() == 64 || (hit | occluded) >> rays.size() == 0));
+        hits += std::popcount(hit);
+    }
+    CHECK(hits > normal_run / 100);
+    CHECK(tree.hit(std::span<const ray<T>>(), T(0), infinity<T>, {}) == 0);
+}
+
 TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, float, double) {
     random_numbers random(18);
     mesh<T> ball;

@@ -99,7 +99,7 @@ private:
     T t_min_, t_max_;
     T low_, high_;  ///< where the nearest is, once there is one
     place at_{};
-    std::array<place, 8> open_{};  ///< lanes that wait
+    std::array<place, 8> open_;  ///< lanes that wait
     std::size_t open_count_ = 0;
     bool exists_ = false, exact_ = false;
     hit_record<T, N>& rec_;  ///< of the nearest, if that is exact

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <raio/bvh/wide_node.hpp>
-
-#include <span>
+#include <raio/bvh/ray_bundle.hpp>
 
 namespace raio::detail {
 
@@ -89,6 +87,46 @@ void traverse_any(std::span<const wide_node> nodes, const node_ray& ray, float t
                 node = nodes.data() + next;
                 break;
             }
+        }
+    }
+}
+
+/// Calls `visit` with the leaves that rays of a bundle may meet between `t_min` and the ray's own `t_max`, and with one
+/// bit for each of these rays.
+/// \param t_max  may be brought nearer by `visit`: below `t_min` if the ray wants no more
+template <class Visit>
+void traverse(std::span<const wide_node> nodes, const ray_bundle& bundle, float t_min,
+              const std::array<float, ray_bundle::most>& t_max, Visit visit) {
+    struct open_child {
+        float t;
+        std::uint32_t child, rays;
+    };
+    using numbers = ray_bundle::numbers;
+    std::array<open_child, deepest*(node_width - 1) + 1> stack;
+    stack[0] = {t_min, 0, ~std::uint32_t{0}};
+    std::size_t open = 1;
+    const numbers from(t_min);
+    numbers to = numbers::load(t_max.data());
+    float farthest = std::ranges::max(t_max);
+    while (open != 0) {
+        const open_child current = stack[--open];
+        if (!(current.t <= farthest)) continue;
+        if (child::is_leaf(current.child)) {
+            visit(current.child, current.rays & bits(from <= to));
+            to = numbers::load(t_max.data());
+            farthest = std::ranges::max(t_max);
+            continue;
+        }
+        const wide_node& node = nodes[current.child];
+        numbers entry;
+        const std::size_t bottom = open;
+        for (std::uint32_t met = bundle.children_met(node, from, numbers(farthest), entry); met != 0; met &= met - 1) {
+            const auto i = static_cast<unsigned>(std::countr_zero(met));
+            const open_child next{entry[i], node.child_at(i), current.rays & bundle.rays_met(node, i, from, to)};
+            if (next.rays == 0) continue;
+            std::size_t at = open++;
+            for (; at > bottom && stack[at - 1].t < next.t; --at) stack[at] = stack[at - 1];
+            stack[at] = next;
         }
     }
 }

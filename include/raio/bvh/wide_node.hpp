@@ -61,7 +61,7 @@ struct alignas(64) wide_node {
     }
 };
 
-/// A ray as the nodes want it.
+/// What becomes of a ray along an axis: the axes side by side, or many rays along one.
 ///
 /// The ray passes the plane x = p at t = p r - o r with r = 1 / d, one fused multiply-add. All roundings together, that
 /// of r included, are off by no more than 5 u (|p| + |o|) |r| (compare Ize, Robust BVH ray traversal, JCGT 2(2), 2013):
@@ -71,6 +71,28 @@ struct alignas(64) wide_node {
 ///
 /// A direction's component below 2^-30 of the largest is taken for that much: within the scene this moves the ray by
 /// less than the above. So no component is zero.
+template <class Numbers>
+struct slab_numbers {
+    Numbers over_direction, enter, leave;
+    Numbers slack;
+
+    /// \param largest  of the direction's components
+    /// \param reach    the largest coordinate of all boxes and the origin, added up
+    slab_numbers(const Numbers& origin, const Numbers& direction, const Numbers& largest, const Numbers& reach) {
+        Numbers least = largest * Numbers(0x1p-30f);
+        over_direction = Numbers(1) / select(abs(direction) < least, copysign(least, direction), direction);
+        slack = reach * Numbers(0x1p-20f) * abs(over_direction) + Numbers(std::numeric_limits<float>::min());
+        Numbers k = origin * over_direction;
+        enter = k + slack, leave = k - slack;
+    }
+
+    /// Out of range the formula is no good, and every box is taken for met.
+    static bool fits(float largest, float reach) {
+        return largest > 0x1p-90f && largest < 0x1p100f && reach < largest * 0x1p90f;
+    }
+};
+
+/// A ray as the nodes want it.
 class node_ray {
 public:
     using numbers = pack<float, node_width>;
@@ -88,16 +110,11 @@ public:
         const auto largest_of = [](const four& v) { return max(max(v[0], v[1]), v[2]); };
         four o = in_lanes(ray.origin), d = in_lanes(ray.direction);
         const float largest = largest_of(abs(d)), reach = size + largest_of(abs(o));
-        // Out of range the formula is no good, and every box is taken for met.
-        const bool in_range = largest > 0x1p-90f && largest < 0x1p100f && reach < largest * 0x1p90f;
-        four r(1), k(0), slack(std::numeric_limits<float>::max());
-        if (in_range) [[likely]] {
-            four least(largest * 0x1p-30f);
-            r = four(1) / select(abs(d) < least, copysign(least, d), d);
-            k = o * r;
-            slack = four(reach * 0x1p-20f) * abs(r) + four(std::numeric_limits<float>::min());
+        four r(1), enter(std::numeric_limits<float>::max()), leave = -enter;
+        if (slab_numbers<four>::fits(largest, reach)) [[likely]] {
+            const slab_numbers<four> slabs(o, d, four(largest), four(reach));
+            r = slabs.over_direction, enter = slabs.enter, leave = slabs.leave;
         }
-        four enter = k + slack, leave = k - slack;
         const std::uint32_t backward = bits(r < four(0));
         for (unsigned i = 0; i < 3; ++i) {
             near_[i] = 2 * i + (backward >> i & 1);
