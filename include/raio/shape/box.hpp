@@ -59,7 +59,8 @@ struct box {
             W o(origin), over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
             W to_low = (W(low) - o) * over_d, to_high = (W(high) - o) * over_d;
             vec2<W> across(raio::min(to_low, to_high), raio::max(to_low, to_high));
-            const mask_t<W> parallel = direction == R(0);
+            // So is a line that would take more than W can say to cross anything.
+            const mask_t<W> parallel = some(direction == R(0), !is_finite(over_d));
             if (none(parallel)) return across;
             const mask_t<W> within = every(R(low) <= origin, origin <= R(high));
             return vec2<W>(select(parallel, select(within, -inf, inf), across.x),
