@@ -85,15 +85,15 @@ concept correctable = requires(const Shape shape, const nearby_ray<X, W> ray, co
 /// The same question, if the quick crossing has not answered it: what is missing of that is added, or the exact formula
 /// decides. Out of line, and without what is known already: where this is rare, it must not cost the common case its
 /// registers.
-template <question Asked, real T, class Shape, real R, class Then>
+template <real T, class Shape, real R, class Then>
 [[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
                                                             Then then) {
     using W = working_t<T>;
     using X = exact_t<T>;
     if constexpr (works_first<T, R>) {
         auto [quick, known] = settled_in_window<question::whether>(shape.template crossings<W>(ray), t_min, t_max);
-        if constexpr (Asked == question::where && correctable<Shape, X, W>) {
-            // Whatever the window is, it is the same crossing that is recorded.
+        if constexpr (correctable<Shape, X, W>) {
+            // Whatever the window is, and whatever is asked, it is the same crossing that is found.
             if (quick.certain && quick.exists) {
                 auto fine = refined<X>(shape, ray, quick);
                 if (fine.certain && rounds_to_one<T>(fine) && in_window(fine, t_min, t_max)) return then(fine);
@@ -117,7 +117,7 @@ RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_mi
         if (known) [[likely]]
             return then(quick);
     }
-    return settle_closer<Asked>(shape, ray, t_min, t_max, then);
+    return settle_closer(shape, ray, t_min, t_max, then);
 }
 
 }  // namespace detail
