@@ -67,8 +67,11 @@ struct round_cone {
         // The spheres lie within the endless cone: where it is crossed between them, they are not.
         const index_t<W> side(0);
         const mask_t<W> beside = every(c.near.exists, c.near.certain, c.near.face == side, c.far.face == side);
-        if (!all(beside))
-            c = unite(c, unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray)));
+        if (!all(beside)) {
+            chord<W> whole =
+                unite(c, unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray)));
+            c = {select(beside, c.near, whole.near), select(beside, c.far, whole.far)};
+        }
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         vec3<W> axis = vec3<W>(top) - vec3<W>(base);
         const T lesser = min(base_radius, top_radius);
