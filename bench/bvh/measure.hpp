@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,6 +76,28 @@ void add_tree(const std::string& scene, const std::string& contender, const lazy
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
     }
+}
+
+/// Registers SCENE/packets/CONTENDER: the rays of a picture, sixteen at a time.
+/// \param ask  answers with how many of sixteen rays hit, given the tree, the rays and where they end
+template <class Tree, class Ask>
+void add_packets(const std::string& scene, const std::string& contender, const lazy<Tree>& tree,
+                 const lazy<std::vector<ray_set>>& rays, Ask ask) {
+    constexpr std::size_t count = packet_side * packet_side;
+    const auto trace_packets = [=](benchmark::State& state) {
+        const ray_set& set = (*rays)[ray_kinds.size()];
+        for (auto _ : state) {
+            std::size_t hits = 0;
+            for (std::size_t i = 0; i < set.rays.size(); i += count) {
+                hits += ask(*tree, std::span<const raio::ray<float>, count>(&set.rays[i], count), set.t_max);
+            }
+            benchmark::DoNotOptimize(hits);
+        }
+        state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(set.rays.size()));
+    };
+    benchmark::RegisterBenchmark((scene + "/packets/" + contender).c_str(), trace_packets)
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace bench

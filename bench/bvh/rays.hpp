@@ -40,6 +40,21 @@ inline std::vector<raio::ray<float>> primary_rays(const camera& view) {
     return rays;
 }
 
+/// The rays of a picture square by square, each of `packet_side` x `packet_side` pixels.
+inline constexpr int packet_side = 4;
+inline std::vector<raio::ray<float>> in_packets(const std::vector<raio::ray<float>>& picture) {
+    constexpr int in_row = picture_side / packet_side, pixels = packet_side * packet_side;
+    std::vector<raio::ray<float>> packets;
+    packets.reserve(picture.size());
+    for (int i = 0; i < picture_side * picture_side; ++i) {
+        const int packet = i / pixels, pixel = i % pixels;
+        const int row = packet / in_row * packet_side + pixel / packet_side;
+        const int column = packet % in_row * packet_side + pixel % packet_side;
+        packets.push_back(picture[static_cast<std::size_t>(row * picture_side + column)]);
+    }
+    return packets;
+}
+
 /// One ray from each point that a ray meets first, in the same order, its direction distributed as the cosine.
 template <class Tree>
 std::vector<raio::ray<float>> bounced(const std::vector<raio::ray<float>>& rays, const Tree& tree) {
@@ -54,7 +69,7 @@ std::vector<raio::ray<float>> bounced(const std::vector<raio::ray<float>>& rays,
     return bounces;
 }
 
-/// The four kinds that every tree is measured with.
+/// The four kinds that every tree is measured with, and the first of them in packets.
 template <class Tree>
 std::vector<ray_set> ray_sets(const camera& view, const Tree& tree) {
     const auto box = tree.bounds();
@@ -66,7 +81,8 @@ std::vector<ray_set> ray_sets(const camera& view, const Tree& tree) {
     return {{"primary", primary, everywhere, false},
             {"bounce", bounce, everywhere, false},
             {"shuffled", std::move(shuffled), everywhere, false},
-            {"occlusion", bounce, near, true}};
+            {"occlusion", bounce, near, true},
+            {"packets", in_packets(primary), everywhere, false}};
 }
 
 }  // namespace bench
