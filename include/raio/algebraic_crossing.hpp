@@ -181,8 +181,9 @@ RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N
 }
 
 /// What is missing of a crossing with the surface where f = 0. Of f along the line from c.t on only the constant term
-/// is needed in the precision of X. \param along  what f becomes, in any precision, where the coordinates are such
-/// polynomials
+/// is needed in the precision of X.
+///
+/// \param along  what f becomes, in any precision, where the coordinates are such polynomials
 template <class X, class W, class Along>
 RAIO_FN constexpr crossing<W> correct_algebraic(const nearby_point<X>& at, const vec3<W>& direction,
                                                 const crossing<W>& c, Along along) {

@@ -206,6 +206,7 @@ RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, chord<W>& c) {
     vec3<E> origin(vec3<W>(ray.origin)), direction(vec3<W>(ray.direction));
     E reach = max(abs(E(c.near.t)), abs(E(c.far.t))) + max(c.near.error, c.far.error);
     E farthest = norm1(origin) + norm1(direction) * reach;
+    // Both are, errors included: the half of what is asked for below leaves room for the roundings here.
     if (all(farthest < E(std::numeric_limits<scalar_t<T>>::max() / 4))) return;
     keep_if_reachable<T>(ray, c.near);
     keep_if_reachable<T>(ray, c.far);

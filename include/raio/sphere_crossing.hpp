@@ -45,8 +45,9 @@ RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, cons
 }
 
 /// What is missing of a crossing: one step of Newton's method towards |p|^2 = radius^2, whose slope 2 p.d grows by 2
-/// d.d for each length of the direction. Each of the numbers may be off by three roundings. \param at  where the line
-/// is, as seen from the centre
+/// d.d for each length of the direction. Each of the numbers may be off by three roundings.
+///
+/// \param at  where the line is, as seen from the centre
 template <class X, class W>
 RAIO_FN constexpr crossing<W> correct_sphere(const nearby_point<X>& at, const vec3<W>& d, const X& radius,
                                              const crossing<W>& c) {

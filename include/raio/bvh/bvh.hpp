@@ -91,9 +91,10 @@ public:
         return found;
     }
 
-    /// What `hit` answers for each of several rays, one bit for each that hits, the first the lowest. Rays that run
-    /// side by side, as those of neighbouring pixels, go through the tree together. \param rays  at most 64 \param recs
-    /// as many; those of rays that miss are left as they are
+    /// What `hit` answers for each of at most 64 rays, one bit for each that hits, the first the lowest. Rays that run
+    /// side by side, as those of neighbouring pixels, go through the tree together.
+    ///
+    /// \param recs  as many; those of rays that miss are left as they are
     std::uint64_t hit(std::span<const ray<T>> rays, T t_min, T t_max, std::span<hit_record<T>> recs) const {
         return for_each_bundle(rays, [&](std::span<const ray<T>> some, std::size_t first) {
             std::array<std::optional<detail::nearest<T, leaves, T, T>>, detail::ray_bundle::most> queries;

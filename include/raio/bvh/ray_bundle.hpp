@@ -11,6 +11,9 @@ namespace raio::detail {
 /// A node's boxes are asked twice. First all of them together about the bundle, of which is known in what intervals
 /// 1 / direction and the origin lie along each axis: most are out at once. Of the others each is then asked about all
 /// rays together, as `node_ray` asks.
+///
+/// Of (p - o) r, with p - o and r in intervals of one sign of r, the extremes are at the ends of both. It is rounded
+/// twice, and r once: by no more than 3 u (|p| + |o|) |r|, for which there is the slack of `slab_numbers`.
 class ray_bundle {
 public:
     using numbers = node_ray::numbers;
