@@ -72,6 +72,18 @@ RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
     return c;
 }
 
+/// The chord of a side, whose face is 0, and of the spheres at both its ends. These lie within the side without its
+/// ends: where that is crossed between them, they are not.
+template <class W, class Sphere, real R>
+RAIO_FN constexpr chord<W> with_round_ends(const chord<W>& c, const Sphere& low, const Sphere& high,
+                                           const ray<R>& ray) {
+    const index_t<W> side(0);
+    const mask_t<W> beside = every(c.near.exists, c.near.certain, c.near.face == side, c.far.face == side);
+    if (all(beside)) return c;
+    chord<W> whole = unite(c, unite(low.template crossings<W>(ray), high.template crossings<W>(ray)));
+    return {select(beside, c.near, whole.near), select(beside, c.far, whole.far)};
+}
+
 /// What is missing of a crossing; `side` says that of the side.
 template <class X, class W, real T, class Side>
 RAIO_FN constexpr crossing<W> correct_axial(const vec3<T>& base, const vec3<T>& top, const nearby_ray<X, W>& ray,

@@ -72,25 +72,22 @@ private:
     /// Asks the plain shapes of all lanes that wait.
     [[gnu::noinline]] void settle_open() {
         for (std::size_t i = 0; i < open_count_; ++i) {
-            Leaves::with_kind(static_cast<std::uint32_t>(open_[i].kind),
-                              [&](auto kind) { settle<kind()>(open_[i].block, open_[i].lane); });
+            Leaves::with_kind(static_cast<std::uint32_t>(open_[i].kind), [&](auto kind) { settle<kind()>(open_[i]); });
         }
         open_count_ = 0;
     }
 
     /// Asks the plain shape.
     template <std::size_t Kind>
-    void settle(std::uint32_t block, unsigned lane) {
-        const auto& leaves = std::get<Kind>(leaves_.all);
-        const std::uint32_t id = leaves.id(block, lane);
-        if (exists_ && id == at_.id) return;  // a shape may stand in several leaves
+    void settle(const place& at) {
+        if (exists_ && at.id == at_.id) return;  // a shape may stand in several leaves
         hit_record<T, N> candidate;
-        if (!detail::hit(leaves.shape(block, lane), ray_, t_min_, high_, candidate)) return;
+        if (!detail::hit(std::get<Kind>(leaves_.all).shape(at.block, at.lane), ray_, t_min_, high_, candidate)) return;
         if (exists_ && !exact_ && !(candidate.t < low_)) make_exact();
-        if (exists_ && !(candidate.t < low_ || (candidate.t == low_ && id < at_.id))) return;
-        take({Kind, block, lane, id}, candidate.t, candidate.t);
+        if (exists_ && !(candidate.t < low_ || (candidate.t == low_ && at.id < at_.id))) return;
+        take(at, candidate.t, candidate.t);
         rec_ = candidate;
-        rec_.index = id;
+        rec_.index = at.id;
         exact_ = true;
     }
 

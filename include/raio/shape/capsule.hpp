@@ -48,14 +48,7 @@ struct capsule {
         chord<W> c = detail::cross_endless_cylinder<W>(base, top, radius, ray);
         if (missed(c)) return c;
         c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
-        // The round ends lie within the endless cylinder: where it is crossed between their centres, they are not.
-        const index_t<W> side(0);
-        const mask_t<W> beside = every(c.near.exists, c.near.certain, c.near.face == side, c.far.face == side);
-        if (!all(beside)) {
-            chord<W> whole =
-                unite(c, unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray)));
-            c = {select(beside, c.near, whole.near), select(beside, c.far, whole.far)};
-        }
+        c = detail::with_round_ends(c, low_end(), high_end(), ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         vec3<W> axis = vec3<W>(top) - vec3<W>(base);
         const mask_t<W> slim = W(radius) * W(radius) < W(0x1p-120) * dot(axis, axis);

@@ -63,15 +63,7 @@ struct round_cone {
 
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = cross_side<W>(ray);
-        // The spheres lie within the endless cone: where it is crossed between them, they are not.
-        const index_t<W> side(0);
-        const mask_t<W> beside = every(c.near.exists, c.near.certain, c.near.face == side, c.far.face == side);
-        if (!all(beside)) {
-            chord<W> whole =
-                unite(c, unite(low_end().template crossings<W>(ray), high_end().template crossings<W>(ray)));
-            c = {select(beside, c.near, whole.near), select(beside, c.far, whole.far)};
-        }
+        chord<W> c = detail::with_round_ends(cross_side<W>(ray), low_end(), high_end(), ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         vec3<W> axis = vec3<W>(top) - vec3<W>(base);
         const T lesser = min(base_radius, top_radius);
