@@ -1,0 +1,213 @@
+#include <raio/bvh/traverse.hpp>
+
+#include "support/slabs.hpp"
+
+namespace raio::test {
+
+using detail::node_ray;
+using detail::ray_bundle;
+
+namespace {
+
+/// Any tree over random boxes, each of which is a leaf.
+struct random_tree {
+    std::vector<build_box> boxes;
+    std::vector<wide_node> nodes;
+
+    random_tree(random_numbers& random, std::size_t count) : random_tree(random, some_boxes(random, count)) {}
+    random_tree(random_numbers& random, std::vector<build_box> over) : boxes(std::move(over)), nodes(1) {
+        fill(random, 0, 0, boxes.size());
+    }
+
+private:
+    static std::vector<build_box> some_boxes(random_numbers& random, std::size_t count) {
+        std::vector<build_box> some;
+        for (std::size_t i = 0; i < count; ++i) some.push_back(random_box(random));
+        return some;
+    }
+
+    void fill(random_numbers& random, std::size_t node, std::size_t first, std::size_t count) {
+        std::vector<std::size_t> sizes(std::min<std::size_t>(count, node_width), 1);
+        for (std::size_t i = sizes.size(); i < count; ++i) {
+            ++sizes[static_cast<std::size_t>(random.integer(0, static_cast<int>(sizes.size()) - 1))];
+        }
+        std::ranges::sort(sizes);  // leaves first
+        const auto leaf_count = static_cast<std::size_t>(std::ranges::count(sizes, 1u));
+        const std::size_t first_node = nodes.size();
+        nodes[node].leaf_count = static_cast<std::uint32_t>(leaf_count);
+        nodes[node].first_node = static_cast<std::uint32_t>(first_node);
+        nodes.resize(first_node + sizes.size() - leaf_count);
+        for (std::size_t i = 0; i < sizes.size(); first += sizes[i++]) {
+            build_box all;
+            for (std::size_t j = first; j < first + sizes[i]; ++j) all.include(boxes[j]);
+            nodes[node].set(i, all);
+            if (i < leaf_count) {
+                nodes[node].leaves[i] = detail::child::leaf(1, static_cast<std::uint32_t>(first));
+            } else {
+                fill(random, first_node + i - leaf_count, first, sizes[i]);
+            }
+        }
+    }
+};
+
+/// The boxes that the ray meets, or those that it comes close to.
+std::vector<bool> boxes_met(const std::vector<build_box>& boxes, const ray<float>& r, float t_min, float t_max,
+                            double outwards = 0) {
+    const double more = outwards / double(norm1(r.direction));
+    std::vector<bool> met;
+    for (const build_box& box : boxes) {
+        met.push_back(!within_box(r, box, {double(t_min) - more, double(t_max) + more}, outwards).empty());
+    }
+    return met;
+}
+
+/// Which have been visited, none of them twice.
+struct visits {
+    std::vector<bool> of;
+    int count = 0;
+
+    std::size_t add(std::uint32_t leaf) {
+        REQUIRE(detail::child::is_leaf(leaf));
+        REQUIRE(detail::child::kind(leaf) == 1);
+        const std::size_t i = detail::child::block(leaf);
+        REQUIRE(i < of.size());
+        REQUIRE(!of[i]);
+        of[i] = true;
+        ++count;
+        return i;
+    }
+};
+
+void check_between(const std::vector<bool>& least, const std::vector<bool>& found, const std::vector<bool>& most) {
+    for (std::size_t i = 0; i < found.size(); ++i) REQUIRE((least[i] <= found[i] && found[i] <= most[i]));
+}
+
+}  // namespace
+
+TEST_CASE("traverse: each leaf once that the ray meets, until it is enough") {
+    random_numbers random(1);
+    int seen = 0;
+    for (const std::size_t count : {0u, 1u, 2u, 5u, 16u, 17u, 100u, 1000u}) {
+        const random_tree tree(random, count);
+        for (int i = 0; i < 300; ++i) {
+            const ray<float> r = random_ray<float>(random);
+            const float t_min = 0, t_max = random.one_in(2) ? infinity<float> : 20 / norm1(r.direction);
+            const node_ray boxes(r, 1.0f, random_box_reach);
+            const auto least = boxes_met(tree.boxes, r, t_min, t_max),
+                       most = boxes_met(tree.boxes, r, t_min, t_max, 1e-3);
+            visits found{std::vector<bool>(count)}, found_any = found;
+            detail::traverse(tree.nodes, boxes, t_min, t_max,
+                             [&](std::uint32_t leaf) { return found.add(leaf), true; });
+            check_between(least, found.of, most);
+            detail::traverse_any(tree.nodes, boxes, t_min, t_max,
+                                 [&](std::uint32_t leaf) { return found_any.add(leaf), true; });
+            REQUIRE(found.of == found_any.of);
+            seen += found.count;
+
+            const int enough = random.integer(1, 4);
+            visits some{std::vector<bool>(count)}, some_of_any = some;
+            detail::traverse(tree.nodes, boxes, t_min, t_max,
+                             [&](std::uint32_t leaf) { return some.add(leaf), some.count < enough; });
+            detail::traverse_any(tree.nodes, boxes, t_min, t_max,
+                                 [&](std::uint32_t leaf) { return some_of_any.add(leaf), some_of_any.count < enough; });
+            REQUIRE(some.count == std::min(enough, found.count));
+            REQUIRE(some_of_any.count == std::min(enough, found.count));
+        }
+    }
+    CHECK(seen > 5'000);
+}
+
+TEST_CASE("traverse: of a node's children the nearer first") {
+    random_numbers random(4);
+    for (int i = 0; i < 300; ++i) {
+        std::vector<build_box> row;  // one behind the other, at any place of the node
+        for (std::size_t j = 0; j < node_width; ++j) {
+            const float x = 2 * static_cast<float>(j) - 8;
+            row.push_back(detail::to_build_box(aabb<float>{{x, -8, -8}, {x + 1, 8, 8}}));
+            std::swap(row[static_cast<std::size_t>(random.integer(0, static_cast<int>(j)))], row.back());
+        }
+        const random_tree tree(random, row);
+        const bool is_forward = random.one_in(2);
+        const ray<float> r{{is_forward ? -20.0f : 40.0f, 0, 0}, {is_forward ? 1.0f : -1.0f, 0.01f, 0.02f}};
+        std::vector<float> order;
+        const float t_max = infinity<float>;
+        detail::traverse(tree.nodes, node_ray(r, 1.0f, 40.0f), 0, t_max, [&](std::uint32_t leaf) {
+            order.push_back(tree.boxes[detail::child::block(leaf)].low(0) * r.direction.x);
+            return true;
+        });
+        REQUIRE(order.size() == node_width);
+        REQUIRE(std::ranges::is_sorted(order));
+    }
+}
+
+TEST_CASE("traverse: what is beyond the nearest so far is left alone, and nothing before it") {
+    random_numbers random(2);
+    const random_tree tree(random, 1000);
+    int visited = 0, met = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const ray<float> r = random_ray<float>(random);
+        const float size = 1 / norm1(r.direction);
+        float t_max = infinity<float>;
+        visits found{std::vector<bool>(1000)};
+        detail::traverse(tree.nodes, node_ray(r, 1.0f, random_box_reach), 0, t_max, [&](std::uint32_t leaf) {
+            const build_box& box = tree.boxes[found.add(leaf)];
+            REQUIRE(!within_box(r, box, {-1e-3 * size, double(t_max) + 1e-3 * size}, 1e-3).empty());
+            // A hit somewhere in the box.
+            const interval<double> inside = within_box(r, box, {0, double(t_max)});
+            if (!inside.empty()) t_max = static_cast<float>(random.uniform(inside.min, inside.max));
+            return true;
+        });
+        const std::vector<bool> before = boxes_met(tree.boxes, r, 0, t_max);
+        for (std::size_t j = 0; j < before.size(); ++j) REQUIRE(before[j] <= found.of[j]);
+        visited += found.count;
+        met += static_cast<int>(std::ranges::count(boxes_met(tree.boxes, r, 0, infinity<float>), true));
+    }
+    CHECK(visited < met / 2);  // it goes the shortest way
+}
+
+TEST_CASE("traverse: leaves with all rays of a bundle that meet them, each as far as it goes") {
+    random_numbers random(3);
+    int bundles = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const random_tree tree(random, static_cast<std::size_t>(random.integer(0, 100)));
+        const ray<float> first = random_ray<float>(random);
+        std::vector<ray<float>> rays(static_cast<std::size_t>(random.integer(1, static_cast<int>(ray_bundle::most))),
+                                     first);
+        for (ray<float>& r : rays) {
+            r.direction += vec3<float>(random.direction() * 0.1 * double(norm1(first.direction)));
+        }
+        const ray_bundle bundle(std::span<const ray<float>>(rays), 1.0f, random_box_reach);
+        if (!bundle.is_coherent()) continue;
+        ++bundles;
+        const float size = 1 / norm1(first.direction), t_min = 0;
+        std::array<float, ray_bundle::most> t_max;
+        t_max.fill(-infinity<float>);
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+            t_max[k] = random.one_in(2) ? infinity<float> : static_cast<float>(random.uniform(-5, 30)) * size;
+        }
+        const std::array<float, ray_bundle::most> asked = t_max;
+        // One ray has enough once it has seen a leaf, the others never have.
+        const auto content = static_cast<std::size_t>(random.integer(0, static_cast<int>(rays.size()) - 1));
+        visits found{std::vector<bool>(tree.boxes.size())};
+        std::vector<std::uint32_t> rays_at(tree.boxes.size(), 0);
+        detail::traverse(tree.nodes, bundle, t_min, t_max, [&](std::uint32_t leaf, std::uint32_t of) {
+            REQUIRE((of >> rays.size()) == 0);
+            rays_at[found.add(leaf)] = of;
+            if ((of >> content & 1) != 0) t_max[content] = -infinity<float>;
+        });
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+            std::vector<bool> at;
+            for (const std::uint32_t of : rays_at) at.push_back((of >> k & 1) != 0);
+            const auto least = boxes_met(tree.boxes, rays[k], t_min, asked[k]);
+            if (k != content) {
+                check_between(least, at, boxes_met(tree.boxes, rays[k], t_min, asked[k], 1e-3));
+            } else {
+                REQUIRE(std::ranges::count(at, true) <= 1);
+                REQUIRE((std::ranges::count(at, true) == 1 || std::ranges::count(least, true) == 0));
+            }
+        }
+    }
+    CHECK(bundles > 300);
+}
+
+}  // namespace raio::test
