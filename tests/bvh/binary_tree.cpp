@@ -1,0 +1,48 @@
+#include <raio/bvh/binary_tree.hpp>
+
+#include "support/binary_trees.hpp"
+
+namespace raio::test {
+
+namespace {
+
+build_box box_with_id(std::uint32_t id) {
+    const auto x = static_cast<float>(id);
+    return detail::to_build_box(aabb<float>{{x, 0, 0}, {x + 1, 1, 1}}, id);
+}
+
+}  // namespace
+
+TEST_CASE("kinds: each has the ids from one number on, be it none") {
+    const std::uint32_t first_id[] = {0, 3, 3, 5};
+    const detail::kinds kind_of{first_id};
+    const std::uint32_t expected[] = {0, 0, 0, 2, 2, 3, 3};
+    for (std::uint32_t id = 0; id < 7; ++id) CHECK(kind_of(id) == expected[id]);
+    const auto common = [&](std::vector<std::uint32_t> ids) {
+        std::vector<build_box> boxes;
+        for (const std::uint32_t id : ids) boxes.push_back(box_with_id(id));
+        return kind_of.common(boxes);
+    };
+    CHECK(common({1, 0, 2}) == 0);
+    CHECK(common({4}) == 2);
+    CHECK(common({6, 5}) == 3);
+    CHECK(common({6, 5, 4}) == binary_node::mixed);
+    CHECK(common({2, 3}) == binary_node::mixed);
+}
+
+TEST_CASE("unite_children: the hull, and the kind if it is one") {
+    std::vector<binary_node> nodes(3);
+    nodes[0].left = 1;
+    nodes[1].box = box_with_id(1), nodes[2].box = box_with_id(5);
+    nodes[1].kind = nodes[2].kind = 7;
+    detail::unite_children(nodes, 2);  // a leaf stays as it is
+    CHECK(same_corners(nodes[2].box, box_with_id(5)));
+    detail::unite_children(nodes, 0);
+    CHECK(same_corners(nodes[0].box, hull(box_with_id(1), box_with_id(5))));
+    CHECK(nodes[0].kind == 7);
+    nodes[1].kind = binary_node::mixed;
+    detail::unite_children(nodes, 0);
+    CHECK(nodes[0].kind == binary_node::mixed);
+}
+
+}  // namespace raio::test

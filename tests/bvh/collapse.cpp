@@ -1,0 +1,167 @@
+#include <raio/bvh/collapse.hpp>
+
+#include <doctest/doctest.h>
+
+#include <raio/bvh/morton.hpp>
+
+#include "support/binary_trees.hpp"
+
+namespace raio::test {
+
+using detail::leaf_kind;
+using detail::leaf_range;
+using detail::wide_tree;
+
+namespace {
+
+/// Each range of references is in one leaf, of its kind and no larger than that takes; each node has one parent; boxes
+/// are around what is below them. What such a tree costs by its own boxes is what is said.
+struct wide_check {
+    const binary_tree& binary;
+    const wide_tree& wide;
+    std::span<const build_box> references;
+    detail::kinds kind_of;
+    std::span<const leaf_kind> costs;
+    std::vector<int> seen = std::vector<int>(references.size(), 0);
+    std::vector<int> visited = std::vector<int>(wide.nodes.size(), 0);
+    double sum = 0;
+
+    build_box check(std::uint32_t i) {
+        const wide_node& node = wide.nodes[i];
+        ++visited[i];
+        build_box all;
+        for (std::size_t place = 0; place < node_width; ++place) {
+            const build_box box = node.box(place);
+            if (box.low(0) > box.high(0)) continue;
+            const std::uint32_t child = node.child_at(place);
+            build_box below;
+            if (detail::child::is_leaf(child)) {
+                REQUIRE(place < node.leaf_count);
+                below = check_leaf(detail::child::kind(child), detail::child::block(child));
+            } else {
+                REQUIRE((i < child && child < wide.nodes.size()));
+                below = check(child);
+                sum += double(below.half_area());
+            }
+            REQUIRE(same_corners(below, box));
+            all.include(box);
+        }
+        return all;
+    }
+
+    build_box check_leaf(std::uint32_t kind, std::uint32_t block) {
+        const leaf_range range = wide.leaves[kind][block];
+        REQUIRE((1 <= range.count && range.count <= costs[kind].lanes));
+        build_box below;
+        for (std::uint32_t j = range.first; j < range.first + range.count; ++j) {
+            const std::uint32_t id = binary.order[j];
+            REQUIRE(kind_of(id) == kind);
+            ++seen[id];
+            below.include(references[id]);
+        }
+        sum += double(below.half_area() * costs[kind].of(range.count));
+        return below;
+    }
+
+    void operator()() {
+        const build_box all = check(0);
+        for (const int times : seen) REQUIRE(times == 1);
+        for (const int times : visited) REQUIRE(times == 1);
+        sum += double(all.half_area());
+        // A tree that is one leaf needs no node to be found.
+        const bool is_leaf = wide.nodes.size() == 1 && wide.nodes[0].leaf_count == 1;
+        REQUIRE(wide.cost == doctest::Approx(sum / double(all.half_area()) - (is_leaf ? 1 : 0)).epsilon(1e-3));
+    }
+};
+
+/// The least cost of all wide trees that can be made, found by trying them.
+struct brute_force {
+    const binary_tree& binary;
+    std::span<const leaf_kind> costs;
+
+    double best(std::uint32_t n) const {
+        const binary_node& node = binary.nodes[n];
+        double least = infinity<double>;
+        if (node.kind != binary_node::mixed && node.count <= costs[node.kind].lanes) {
+            least = double(node.box.half_area() * costs[node.kind].of(node.count));
+        }
+        if (!node.is_leaf()) {
+            for (std::size_t left = 1; left < node_width; ++left) {
+                const double sum = in_places(node.left, left) + in_places(node.left + 1, node_width - left);
+                least = std::min(least, double(node.box.half_area()) + sum);
+            }
+        }
+        return least;
+    }
+    /// In at most so many places of the node above.
+    double in_places(std::uint32_t n, std::size_t places) const {
+        const binary_node& node = binary.nodes[n];
+        double least = best(n);
+        for (std::size_t left = 1; !node.is_leaf() && left < places; ++left) {
+            least = std::min(least, in_places(node.left, left) + in_places(node.left + 1, places - left));
+        }
+        return least;
+    }
+};
+
+constexpr leaf_kind blocks{.lanes = 4, .block_cost = 1, .shape_cost = 0};
+constexpr leaf_kind lists{.lanes = 4, .block_cost = 0, .shape_cost = 1};
+
+}  // namespace
+
+TEST_CASE("collapser: each reference in one leaf, and the cost as it is said") {
+    random_numbers random(1);
+    for (const std::size_t count : {1u, 2u, 3u, 5u, 17u, 100u, 5000u}) {
+        const std::vector<build_box> references = random_references(random, count);
+        const auto n = static_cast<std::uint32_t>(count);
+        const std::uint32_t first_id[] = {0, n / 2, n / 2 + n / 3};
+        const leaf_kind costs[] = {blocks, lists, blocks};
+        for (const std::size_t kinds : {1u, 3u}) {
+            const std::span<const std::uint32_t> ids = std::span(first_id).first(kinds);
+            const std::span<const leaf_kind> kind_costs = std::span(costs).first(kinds);
+            for (const std::uint32_t leaf : {1u, 4u}) {
+                const binary_tree binary = detail::morton_builder(references, {ids}, leaf, 1).take();
+                const wide_tree wide = detail::collapser(binary, kind_costs, 1).take();
+                wide_check{binary, wide, references, {ids}, kind_costs}();
+            }
+        }
+    }
+    const binary_tree none;
+    CHECK(detail::collapser(none, std::span(&blocks, 1), 1).take().nodes.empty());
+}
+
+TEST_CASE("collapser: no wide tree costs less") {
+    random_numbers random(2);
+    for (int i = 0; i < 50; ++i) {
+        const std::vector<build_box> references =
+            random_references(random, static_cast<std::size_t>(random.integer(1, 9)));
+        const std::uint32_t first_id[] = {0, 4};
+        const leaf_kind costs[] = {blocks, lists};
+        const binary_tree binary = detail::morton_builder(references, {first_id}, 1, 1).take();
+        const double area = double(binary.nodes[0].box.half_area());
+        if (area == 0) continue;
+        const wide_tree wide = detail::collapser(binary, costs, 1).take();
+        REQUIRE(wide.cost == doctest::Approx(brute_force{binary, costs}.best(0) / area).epsilon(1e-5));
+        wide_check{binary, wide, references, {first_id}, costs}();
+    }
+}
+
+TEST_CASE("collapser: from any number of threads the same") {
+    random_numbers random(3);
+    const std::vector<build_box> references = random_references(random, 50'000);
+    const std::uint32_t first_id[] = {0};
+    const binary_tree binary = detail::morton_builder(references, {first_id}, 4, 1).take();
+    const wide_tree one = detail::collapser(binary, std::span(&blocks, 1), 1).take();
+    wide_check{binary, one, references, {first_id}, std::span(&blocks, 1)}();
+    for (const unsigned threads : {2u, 5u}) {
+        const wide_tree several = detail::collapser(binary, std::span(&blocks, 1), threads).take();
+        REQUIRE(several.cost == one.cost);
+        REQUIRE(std::ranges::equal(several.leaves[0], one.leaves[0], {}, &leaf_range::first, &leaf_range::first));
+        REQUIRE(std::ranges::equal(several.nodes, one.nodes, [](const wide_node& a, const wide_node& b) {
+            return a.planes == b.planes && a.leaves == b.leaves && a.leaf_count == b.leaf_count &&
+                   a.first_node == b.first_node;
+        }));
+    }
+}
+
+}  // namespace raio::test
