@@ -78,8 +78,8 @@ void check_lanes(const char* name, F f) {
     CHECK_MESSAGE(wrong == 0, std::string(name));
 }
 
-#define RAIO_PACKS_UNDER_TEST                                                                                      \
-    pack<float>, pack<float, 1>, pack<float, 3>, pack<float, 4>, pack<float, 8>, pack<float, 16>, pack<float, 32>, \
-        pack<double>, pack<double, 1>, pack<double, 2>, pack<double, 6>, pack<double, 8>, pack<double, 16>
+// One register, plain numbers, half a register of AVX-512, and several registers.
+#define RAIO_PACKS_UNDER_TEST \
+    pack<float>, pack<float, 3>, pack<float, 8>, pack<float, 32>, pack<double>, pack<double, 6>, pack<double, 16>
 
 }  // namespace raio::test

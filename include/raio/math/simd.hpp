@@ -151,9 +151,11 @@ private:
     }
 
     RAIO_FN static constexpr pack selected(const mask& where, const pack& a, const pack& b) {
-        using choice = detail::register_mask<register_type>;
+        // Integers as the floating-point numbers whose mask it is: xsimd 8 selects no others without optimisation.
+        using choice = detail::register_of<std::conditional_t<sizeof(S) == 4, float, double>, N>;
         return made([&](std::size_t i) {
-            return select(std::bit_cast<choice>(where.registers_[i]), a.registers_[i], b.registers_[i]);
+            return std::bit_cast<register_type>(select(where.registers_[i], std::bit_cast<choice>(a.registers_[i]),
+                                                       std::bit_cast<choice>(b.registers_[i])));
         });
     }
 
