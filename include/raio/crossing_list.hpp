@@ -84,7 +84,8 @@ concept lists_crossings = requires(const Shape shape, const ray<R> ray) {
 
 }  // namespace detail
 
-/// Where the line is inside a solid: from where it enters to where it leaves next.
+/// Where the line is inside a solid: from where it enters to where it leaves next. (Each crossing of a list can be
+/// refined on its own for less than the list takes in double_double. The two ends of a chord cannot.)
 template <class Shape, real R>
 requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
     using T = typename Shape::number;
@@ -101,11 +102,26 @@ requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(cons
         return inside;
     };
     if constexpr (detail::works_first<T, R>) {
+        using X = exact_t<T>;
+        const auto all_round_to_one = []<class W, std::size_t N>(const crossing_list<W, N>& list) {
+            bool settled = list.certain;
+            for (const crossing<W>& c : list) settled = settled && c.certain && detail::rounds_to_one<T>(c);
+            return settled;
+        };
+        const auto all_refined = [&]<class W, std::size_t N>(const crossing_list<W, N>& list) {
+            crossing_list<X, N> fine{.certain = list.certain};
+            for (const crossing<W>& c : list) fine.append(refined<X>(shape, ray, c));
+            return fine;
+        };
         detail::keep_as_stored<T>(shape, ray);
         const auto quick = shape.template crossings<working_t<T>>(ray);
-        bool settled = quick.certain;
-        for (const auto& c : quick) settled = settled && detail::rounds_to_one<T>(c);
-        if (settled) return between_crossings(quick);
+        if (all_round_to_one(quick)) return between_crossings(quick);
+        if constexpr (detail::correctable<Shape, X, working_t<T>>) {
+            if (quick.certain) {
+                const auto fine = all_refined(quick);
+                if (all_round_to_one(fine)) return between_crossings(fine);
+            }
+        }
     }
     return between_crossings(shape.template crossings<exact_t<T>>(ray));
 }
