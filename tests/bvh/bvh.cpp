@@ -117,6 +117,13 @@ TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index", T, 
     CHECK(!bvh{shapes}.hit({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(bvh{shapes}.hit({{1, 2, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(rec.index == 0);
+
+    for (const vec3<T>& high : {vec3<T>(-1, 1, 1), vec3<T>(1, -1, 1), vec3<T>(1, 1, -1)}) {  // inside out
+        CHECK(!bvh{std::vector{box<T>{{0, 0, 0}, high}}}.bounds().contains({0, 0, 0}));
+    }
+    for (const vec3<T>& high : {vec3<T>(infinity<T>, 1, 1), vec3<T>(1, infinity<T>, 1), vec3<T>(1, 1, infinity<T>)}) {
+        CHECK_THROWS_AS((bvh{std::vector{box<T>{{0, 0, 0}, high}}}), std::invalid_argument);
+    }
 }
 
 TEST_CASE_TEMPLATE("bvh: shapes all in one place, one within the other, in a row", T, float, double) {

@@ -28,6 +28,59 @@ TEST_CASE_TEMPLATE("bvh: refit follows the shapes", T, float, double) {
     }
 }
 
+TEST_CASE_TEMPLATE("bvh: refit to another scale, and of a tree without shapes", T, float, double) {
+    random_numbers random(24);
+    auto shapes = random_shapes<sphere<T>>(random, 100);
+    bvh tree{shapes};
+    const T by = T(0x1p60);
+    for (sphere<T>& s : shapes) s.center *= by, s.radius *= by;
+    tree.refit(shapes);
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i) {
+        question<T> q(random);
+        q.ray.origin *= by;
+        hit_record<T> expected, found;
+        const bool hit = group{shapes}.hit(q.ray, T(0), infinity<T>, expected);
+        REQUIRE(tree.hit(q.ray, T(0), infinity<T>, found) == hit);
+        REQUIRE(same(found, expected));
+        hits += hit ? 1 : 0;
+    }
+    CHECK(hits > 50);
+
+    bvh<sphere<T>> none;
+    none.refit(std::span<const sphere<T>>{});
+    CHECK(!none.occluded({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>));
+}
+
+TEST_CASE_TEMPLATE("bvh: rays that run nowhere miss, and those beside them do not", T, float, double) {
+    const std::vector<sphere<T>> shapes(3, sphere<T>{{0, 0, 0}, 1});
+    const bvh tree{shapes};
+    const ray<T> good{{0, 0, 5}, {0, 0, -1}};
+    std::array<hit_record<T>, 3> recs;
+    CHECK(tree.hit(good, T(0), infinity<T>, recs[0]));
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    for (const ray<T>& bad :
+         {ray<T>{{0, 0, 5}, {0, 0, 0}}, ray<T>{{0, 0, 5}, {0, 0, nan}}, ray<T>{{0, 0, 5}, {0, 0, -infinity<T>}},
+          ray<T>{{0, 0, nan}, {0, 0, -1}}, ray<T>{{0, 0, infinity<T>}, {0, 0, -1}}}) {
+        CHECK(!tree.hit(bad, T(0), infinity<T>, recs[0]));
+        CHECK(!tree.occluded(bad, T(0), infinity<T>));
+        CHECK(tree.all_hits(bad, T(0), infinity<T>).empty());
+        const std::array rays{good, bad, good};
+        CHECK(tree.hit(std::span<const ray<T>>(rays), T(0), infinity<T>, recs) == 5);
+        CHECK(tree.occluded(std::span<const ray<T>>(rays), T(0), infinity<T>) == 5);
+    }
+    const std::array rays{good, good, good};
+    const auto check_window = [&](T t_min, T t_max) {
+        CHECK(!tree.hit(good, t_min, t_max, recs[0]));
+        CHECK(!tree.occluded(good, t_min, t_max));
+        CHECK(tree.hit(std::span<const ray<T>>(rays), t_min, t_max, recs) == 0);
+        CHECK(tree.occluded(std::span<const ray<T>>(rays), t_min, t_max) == 0);
+    };
+    check_window(5, 3), check_window(nan, infinity<T>), check_window(0, nan);
+    CHECK(bvh<sphere<T>>().hit(std::span<const ray<T>>(rays), T(0), infinity<T>, recs) == 0);
+    CHECK(tree.nearest_hits(good, T(0), infinity<T>, {}) == 0);
+}
+
 TEST_CASE_TEMPLATE("bvh: many rays at once, as each of them alone", T, float, double) {
     random_numbers random(23);
     const bvh tree{group{random_shapes<triangle<T>>(random, 300), random_shapes<sphere<T>>(random, 50),
