@@ -144,6 +144,7 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, float, double) {
     CHECK(t_of({{0, 0}, {4, 4}, 2, {1, 1}}, down(0, 0)) == T(-1));
     CHECK(t_of({{0, 0}, {4, 4}, 0, {}}, down(0, 0)) == T(-1));
     CHECK(t_of({{0, 0}, {0, 4}, 2, {1, 1, 1, 1}}, down(0, 2)) == T(-1));
+    CHECK(t_of({{0, 0}, {4, 0}, 2, {1, 1, 1, 1}}, down(2, 0)) == T(-1));
     CHECK(t_of({{4, 4}, {0, 0}, 2, {1, 1, 1, 1}}, down(2, 2)) == T(-1));
 
     hit_record<T> rec;

@@ -130,10 +130,20 @@ TEST_CASE_TEMPLATE("signed_distance: named cases", T, float, double) {
           T(-1));
     CHECK(t_of(signed_distance{aabb<T>{{-2, -2, 0}, {2, 2, 2}}, tolerance, T(1), ball<T>{{0, 0, 0}, 1}}, ahead, 4.5) ==
           about(5));  // and ends there
+    CHECK_FALSE(shape.occluded(ahead, T(0), T(3.5)));
+    CHECK_FALSE(shape.occluded(ahead, T(6.5), T(8)));
+    CHECK(t_of(signed_distance{aabb<T>{{-2, -2, 0}, {2, 2, 2}}, tolerance, T(1), ball<T>{{0, 0, 0}, 1}}, ahead, 5.5) ==
+          T(-1));
+    // Where the slope is no number, the normal is against the ray.
+    const auto torn = [](const vec3<T>& p) { return p.x > 0 ? infinity<T> : std::abs(p.z) - 1; };
+    hit_record<T> rec;
+    REQUIRE(signed_distance{box, tolerance, T(1), torn}.hit(ahead, T(0), infinity<T>, rec));
+    CHECK(rec.normal == vec3<T>(0, 0, 1));
     const auto steep = [](const vec3<T>& p) { return 2 * (std::abs(p.z) - T(0.5)); };
     CHECK(t_of(signed_distance{box, tolerance, T(2), steep}, ahead) == about(4.5));
     CHECK(t_of(signed_distance{box, T(0), T(1), ball<T>{{0, 0, 0}, 1}}, ahead) == T(-1));
     CHECK(t_of(signed_distance{box, tolerance, T(0), ball<T>{{0, 0, 0}, 1}}, ahead) == T(-1));
+    CHECK(t_of(signed_distance{box, tolerance, infinity<T>, ball<T>{{0, 0, 0}, 1}}, ahead) == T(-1));
     CHECK(t_of(signed_distance{box, tolerance, T(1), ball<T>{{0, 0, 0}, nan<T>}}, ahead) == T(-1));
     CHECK(t_of(signed_distance{aabb<T>{}, tolerance, T(1), ball<T>{{0, 0, 0}, 1}}, ahead) == T(-1));
 }
