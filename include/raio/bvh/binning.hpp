@@ -12,10 +12,11 @@ inline constexpr int bin_count = 16;
 
 /// The box around twice the centre alone: what bins and their extent are counted in.
 inline build_box center_box(const build_box& box) {
-    const std::array<float, 3> c{center2(box, 0), center2(box, 1), center2(box, 2)};
-    const float corners[] = {c[0], c[1], c[2], 0, -c[0], -c[1], -c[2], 0};
+    // As a whole: a register that is put together from single numbers waits until they have reached memory.
+    const auto v = std::bit_cast<std::array<float, 8>>(box.v);
+    const std::array<float, 8> swapped{v[4], v[5], v[6], v[7], v[0], v[1], v[2], v[3]};
     build_box b;
-    b.v = build_box::numbers::load(corners);
+    b.v = box.v - std::bit_cast<build_box::numbers>(swapped);
     return b;
 }
 
