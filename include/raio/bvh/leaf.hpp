@@ -86,12 +86,21 @@ public:
     /// \param shape_of  the shape of an id
     template <class ShapeOf>
     void fill(std::size_t i, std::span<const std::uint32_t> ids, ShapeOf shape_of) {
-        // Several pieces of one shape are one shape.
-        std::array<std::uint32_t, lanes> own{};
-        const auto last_copied = std::ranges::copy(ids, own.begin()).out;
-        for (auto at = own.begin(); at != last_copied; ++at)
-            std::rotate(std::upper_bound(own.begin(), at, *at), at, at + 1);
-        const auto count = static_cast<std::size_t>(std::unique(own.begin(), last_copied) - own.begin());
+        // In order, without asking which of two is larger: that is guessed wrong as often as not.
+        std::array<std::uint32_t, lanes> given, sorted, own;
+        given.fill(no_id), sorted.fill(no_id);
+        std::ranges::copy(ids, given.begin());
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            std::size_t before = 0;
+            for (const std::uint32_t other : given) before += other < given[lane] ? 1 : 0;
+            sorted[before] = given[lane];
+        }
+        // Several pieces of one shape have come to one place.
+        std::size_t count = 0;
+        for (const std::uint32_t id : sorted) {
+            own[count] = id;
+            count += id != no_id ? 1 : 0;
+        }
         block& b = blocks_[i];
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             // A lane without a shape repeats the last one.
