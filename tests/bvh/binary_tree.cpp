@@ -30,19 +30,30 @@ TEST_CASE("kinds: each has the ids from one number on, be it none") {
     CHECK(common({2, 3}) == binary_node::mixed);
 }
 
+TEST_CASE("binary_node: what it says, and of many references that they are many") {
+    const binary_node leaf = binary_node::leaf(box_with_id(9), 0xfffffff0u, 8, 15);
+    CHECK((leaf.is_leaf() && leaf.first() == 0xfffffff0u && leaf.count() == 8 && leaf.kind() == 15));
+    CHECK(same_corners(leaf.box, box_with_id(9)));
+    for (const std::size_t count : {std::size_t{9}, (std::size_t{1} << 26) - 1}) {
+        binary_node parent = binary_node::parent(7, count);
+        parent.move_children(4);
+        CHECK((!parent.is_leaf() && parent.first() == 11 && parent.count() == count));
+    }
+    CHECK(binary_node::parent(1, std::size_t{1} << 26).count() == (1u << 26) - 1);
+    CHECK(binary_node::parent(1, ~std::uint32_t{0}).kind() == binary_node::mixed);
+}
+
 TEST_CASE("unite_children: the hull, and the kind if it is one") {
-    std::vector<binary_node> nodes(3);
-    nodes[0].left = 1;
-    nodes[1].box = box_with_id(1), nodes[2].box = box_with_id(5);
-    nodes[1].kind = nodes[2].kind = 7;
+    std::vector<binary_node> nodes{binary_node::parent(1, 5), binary_node::leaf(box_with_id(1), 0, 2, 7),
+                                   binary_node::leaf(box_with_id(5), 2, 3, 7)};
     detail::unite_children(nodes, 2);  // a leaf stays as it is
     CHECK(same_corners(nodes[2].box, box_with_id(5)));
     detail::unite_children(nodes, 0);
     CHECK(same_corners(nodes[0].box, hull(box_with_id(1), box_with_id(5))));
-    CHECK(nodes[0].kind == 7);
-    nodes[1].kind = binary_node::mixed;
+    CHECK((!nodes[0].is_leaf() && nodes[0].first() == 1 && nodes[0].count() == 5 && nodes[0].kind() == 7));
+    nodes[1] = binary_node::leaf(box_with_id(1), 0, 2, 3);
     detail::unite_children(nodes, 0);
-    CHECK(nodes[0].kind == binary_node::mixed);
+    CHECK(nodes[0].kind() == binary_node::mixed);
 }
 
 }  // namespace raio::test

@@ -82,12 +82,12 @@ struct brute_force {
     double best(std::uint32_t n) const {
         const binary_node& node = binary.nodes[n];
         double least = infinity<double>;
-        if (node.kind != binary_node::mixed && node.count <= costs[node.kind].lanes) {
-            least = double(node.box.half_area() * costs[node.kind].of(node.count));
+        if (node.kind() != binary_node::mixed && node.count() <= costs[node.kind()].lanes) {
+            least = double(node.box.half_area() * costs[node.kind()].of(node.count()));
         }
         if (!node.is_leaf()) {
             for (std::size_t left = 1; left < node_width; ++left) {
-                const double sum = in_places(node.left, left) + in_places(node.left + 1, node_width - left);
+                const double sum = in_places(node.first(), left) + in_places(node.first() + 1, node_width - left);
                 least = std::min(least, double(node.box.half_area()) + sum);
             }
         }
@@ -98,11 +98,15 @@ struct brute_force {
         const binary_node& node = binary.nodes[n];
         double least = best(n);
         for (std::size_t left = 1; !node.is_leaf() && left < places; ++left) {
-            least = std::min(least, in_places(node.left, left) + in_places(node.left + 1, places - left));
+            least = std::min(least, in_places(node.first(), left) + in_places(node.first() + 1, places - left));
         }
         return least;
     }
 };
+
+binary_tree along_curve(std::span<const build_box> references, detail::kinds kind_of, std::uint32_t leaf) {
+    return detail::morton_builder(references, detail::centers_of(references), kind_of, leaf, 1).take();
+}
 
 constexpr leaf_kind blocks{.lanes = 4, .block_cost = 1, .shape_cost = 0};
 constexpr leaf_kind lists{.lanes = 4, .block_cost = 0, .shape_cost = 1};
@@ -120,7 +124,7 @@ TEST_CASE("collapser: each reference in one leaf, and the cost as it is said") {
             const std::span<const std::uint32_t> ids = std::span(first_id).first(kinds);
             const std::span<const leaf_kind> kind_costs = std::span(costs).first(kinds);
             for (const std::uint32_t leaf : {1u, 4u}) {
-                const binary_tree binary = detail::morton_builder(references, {ids}, leaf, 1).take();
+                const binary_tree binary = along_curve(references, {ids}, leaf);
                 const wide_tree wide = detail::collapser(binary, kind_costs, 1).take();
                 wide_check{binary, wide, references, {ids}, kind_costs}();
             }
@@ -137,7 +141,7 @@ TEST_CASE("collapser: no wide tree costs less") {
             random_references(random, static_cast<std::size_t>(random.integer(1, 9)));
         const std::uint32_t first_id[] = {0, 4};
         const leaf_kind costs[] = {blocks, lists};
-        const binary_tree binary = detail::morton_builder(references, {first_id}, 1, 1).take();
+        const binary_tree binary = along_curve(references, {first_id}, 1);
         const double area = double(binary.nodes[0].box.half_area());
         if (area == 0) continue;
         const wide_tree wide = detail::collapser(binary, costs, 1).take();
@@ -150,7 +154,7 @@ TEST_CASE("collapser: from any number of threads the same") {
     random_numbers random(3);
     const std::vector<build_box> references = random_references(random, 50'000);
     const std::uint32_t first_id[] = {0};
-    const binary_tree binary = detail::morton_builder(references, {first_id}, 4, 1).take();
+    const binary_tree binary = along_curve(references, {first_id}, 4);
     const wide_tree one = detail::collapser(binary, std::span(&blocks, 1), 1).take();
     wide_check{binary, one, references, {first_id}, std::span(&blocks, 1)}();
     for (const unsigned threads : {2u, 5u}) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 namespace raio::test {
 
@@ -41,6 +42,17 @@ TEST_CASE("large_pages: what asks for more than a line gets it") {
         CHECK(address_modulo(place, alignof(wide)) == 0);
         allocator.deallocate(place, 1);
     }
+}
+
+TEST_CASE("large_vector: what has no value is left unset, and what has one is not") {
+    detail::large_vector<int> numbers{1, 2, 3};
+    numbers.clear();
+    numbers.resize(3);  // in the same place
+    CHECK(numbers == detail::large_vector<int>{1, 2, 3});
+    numbers.assign(3, 7);
+    CHECK(numbers == detail::large_vector<int>{7, 7, 7});
+    detail::large_vector<std::string> words(2);  // which cannot be left unset
+    CHECK((words[0].empty() && words[1].empty()));
 }
 
 TEST_CASE("large_vector: grows from small blocks to large ones, and is copied and moved") {

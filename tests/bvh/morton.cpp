@@ -10,7 +10,7 @@ constexpr std::uint32_t one_kind[] = {0};
 
 binary_tree built(std::span<const build_box> references, std::uint32_t leaf, unsigned threads,
                   std::span<const std::uint32_t> first_id = one_kind) {
-    return detail::morton_builder(references, {first_id}, leaf, threads).take();
+    return detail::morton_builder(references, detail::centers_of(references), {first_id}, leaf, threads).take();
 }
 
 /// Where the centre of a box is along the curve: the bits of its cell in turn, x the lowest.
@@ -54,8 +54,7 @@ TEST_CASE("morton_builder: along the curve, boxes of one cell as they came, and 
         std::vector<build_box> references = random_references(random, count);
         for (build_box& box : references) box.v = box.v + build_box::numbers(static_cast<float>(random.uniform(0, 1)));
         for (std::uint32_t i = 0; i < count; ++i) references[i].set_id(i);
-        build_box centers;
-        for (const build_box& box : references) centers.include(detail::center_box(box));
+        const build_box centers = detail::centers_of(references);
         const binary_tree tree = built(references, 4, 1);
         check_tree(tree, references, {one_kind}, 4);
         const auto place = [&](std::uint32_t id) { return std::pair(code_of(references[id], centers), id); };
@@ -71,11 +70,11 @@ TEST_CASE("morton_builder: cut where the codes differ in the highest bit") {
         references.push_back(detail::to_build_box(aabb<float>{{x, 0, 0}, {x, 1, 1}}, id));
     }
     const binary_tree tree = built(references, 1, 1);
-    CHECK(tree.nodes[tree.nodes[0].left].count == 5);
-    CHECK(tree.nodes[tree.nodes[0].left + 1].count == 1);
+    CHECK(tree.nodes[tree.nodes[0].first()].count() == 5);
+    CHECK(tree.nodes[tree.nodes[0].first() + 1].count() == 1);
     const std::vector<build_box> equal(6, references[0]);  // nowhere: halves
     const binary_tree halves = built(equal, 1, 1);
-    CHECK(halves.nodes[halves.nodes[0].left].count == 3);
+    CHECK(halves.nodes[halves.nodes[0].first()].count() == 3);
 }
 
 }  // namespace raio::test

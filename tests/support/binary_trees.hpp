@@ -49,25 +49,27 @@ inline void check_tree(const binary_tree& tree, std::span<const build_box> refer
         REQUIRE(tree.nodes.empty());
         return;
     }
-    REQUIRE((tree.nodes[0].first == 0 && tree.nodes[0].count == references.size()));
+    REQUIRE((tree.first_reference(0) == 0 && tree.nodes[0].count() == references.size()));
     std::vector<int> parents(tree.nodes.size(), 0);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const binary_node& node = tree.nodes[i];
         if (node.is_leaf()) {
-            REQUIRE((1 <= node.count && node.count <= leaf));
+            REQUIRE((1 <= node.count() && node.count() <= leaf));
             build_box all;
-            for (std::uint32_t j = node.first; j < node.first + node.count; ++j) {
+            for (std::uint32_t j = node.first(); j < node.first() + node.count(); ++j) {
                 all.include(references[tree.order[j]]);
-                REQUIRE(kind_of(tree.order[j]) == node.kind);
+                REQUIRE(kind_of(tree.order[j]) == node.kind());
             }
             REQUIRE(same_corners(node.box, all));
         } else {
-            REQUIRE((node.left > i && node.left + 1 < tree.nodes.size()));
-            ++parents[node.left], ++parents[node.left + 1];
-            const binary_node &a = tree.nodes[node.left], &b = tree.nodes[node.left + 1];
-            REQUIRE((a.first == node.first && b.first == a.first + a.count && a.count + b.count == node.count));
+            const std::uint32_t left = node.first();
+            REQUIRE((left > i && left + 1 < tree.nodes.size()));
+            ++parents[left], ++parents[left + 1];
+            const binary_node &a = tree.nodes[left], &b = tree.nodes[left + 1];
+            REQUIRE(tree.first_reference(left + 1) == tree.first_reference(left) + a.count());
+            REQUIRE(a.count() + b.count() == node.count());
             REQUIRE(same_corners(node.box, hull(a.box, b.box)));
-            REQUIRE(node.kind == (a.kind == b.kind ? a.kind : binary_node::mixed));
+            REQUIRE(node.kind() == (a.kind() == b.kind() ? a.kind() : binary_node::mixed));
         }
     }
     for (std::size_t i = 0; i < parents.size(); ++i) REQUIRE(parents[i] == (i > 0 ? 1 : 0));
@@ -76,7 +78,7 @@ inline void check_tree(const binary_tree& tree, std::span<const build_box> refer
     for (const detail::part& p : tree.parts) {
         REQUIRE((p.begin == end && p.end <= tree.nodes.size()));
         for (std::size_t i = p.begin; end > 0 && i < p.end; ++i) {
-            REQUIRE((tree.nodes[i].is_leaf() || tree.nodes[i].left + 1 < p.end));
+            REQUIRE((tree.nodes[i].is_leaf() || tree.nodes[i].first() + 1 < p.end));
         }
         end = p.end;
     }
@@ -86,8 +88,8 @@ inline void check_tree(const binary_tree& tree, std::span<const build_box> refer
 inline bool same(const binary_tree& a, const binary_tree& b) {
     return std::ranges::equal(a.order, b.order) &&
            std::ranges::equal(a.nodes, b.nodes, [](const binary_node& x, const binary_node& y) {
-               return x.left == y.left && x.first == y.first && x.count == y.count && x.kind == y.kind &&
-                      same_corners(x.box, y.box);
+               return x.is_leaf() == y.is_leaf() && x.first() == y.first() && x.count() == y.count() &&
+                      x.kind() == y.kind() && same_corners(x.box, y.box);
            });
 }
 

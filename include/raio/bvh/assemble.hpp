@@ -31,15 +31,15 @@ public:
     void build(const Sources& shapes, const bvh_options& options) {
         options_ = options;
         const unsigned threads = thread_count(options.threads);
-        std::vector<build_box> references = find_references(shapes, threads);
-        // The builder takes what it is given to pieces.
-        const std::vector<build_box> whole =
-            options.quality == bvh_quality::high ? references : std::vector<build_box>{};
-        trees made = make_trees(references, options.quality, threads);
+        build_box centers;
+        large_vector<build_box> references = find_references(shapes, threads, centers), pieces;
+        if (options.quality == bvh_quality::high) {
+            pieces = presplit(references, 0.5f, threads, [&](std::uint32_t id) { return corners_of(shapes, id); });
+        }
+        trees made = make_trees(references, centers, options.quality, threads);
         if (options.quality == bvh_quality::high) {
             // Pieces pay where shapes are large and lie across each other; elsewhere they are more to go through.
-            auto pieces = presplit(whole, 0.5f, threads, [&](std::uint32_t id) { return corners_of(shapes, id); });
-            trees of_pieces = make_trees(pieces, options.quality, threads);
+            trees of_pieces = make_trees(pieces, centers_of(pieces), options.quality, threads);
             if (of_pieces.wide.cost < made.wide.cost) made = std::move(of_pieces);
         }
         nodes = std::move(made.wide.nodes);
@@ -58,7 +58,9 @@ public:
         if (count != count_) throw std::invalid_argument("raio::bvh: refit with another number of shapes");
         assembled moved;
         moved.first_id_ = first_id_;
-        const std::vector<build_box> references = moved.find_references(shapes, thread_count(options_.threads));
+        build_box centers;
+        const large_vector<build_box> references =
+            moved.find_references(shapes, thread_count(options_.threads), centers);
         // What was left out, or would have to be, has no place in the tree that is there.
         if (references.size() != count || placed_ != count || moved.scale != scale) {
             moved.build(shapes, options_);
@@ -94,13 +96,14 @@ private:
         wide_tree wide;
     };
 
-    trees make_trees(std::vector<build_box>& references, bvh_quality quality, unsigned threads) const {
+    trees make_trees(large_vector<build_box>& references, const build_box& centers, bvh_quality quality,
+                     unsigned threads) const {
         static constexpr std::array costs{leaves_of<Shapes>::cost...};
         const std::uint32_t leaf = std::ranges::min(costs, {}, &leaf_kind::lanes).lanes;
         trees made;
         made.binary = quality == bvh_quality::low
-                          ? morton_builder(references, {first_id_}, leaf, threads).take()
-                          : binned_builder(references, {first_id_}, {.leaf = leaf}, threads).take();
+                          ? morton_builder(references, centers, {first_id_}, leaf, threads).take()
+                          : binned_builder(references, centers, {first_id_}, {.leaf = leaf}, threads).take();
         made.wide = collapser(made.binary, costs, threads).take();
         return made;
     }
@@ -127,19 +130,22 @@ private:
     }
 
     /// The boxes of all shapes that have points, and all that is known from them.
+    /// \param centers  becomes the box around their centres
     template <class Sources>
-    std::vector<build_box> find_references(const Sources& shapes, unsigned threads) {
+    large_vector<build_box> find_references(const Sources& shapes, unsigned threads, build_box& centers) {
         count_ = 0;
         for_each_kind([&](auto kind) {
             first_id_[kind()] = count_;
             count_ += static_cast<std::uint32_t>(std::get<kind()>(shapes).size());
         });
-        std::vector<build_box> references(count_);
+        large_vector<build_box> references(count_);
+        box_summary found;
         const auto find = [&] {
-            bounds = {};
+            found = {};
             for_each_kind([&](auto kind) {
-                bounds = hull(bounds, find_boxes(std::get<kind()>(shapes), first_id_[kind()], threads, references));
+                found.add(find_boxes(std::get<kind()>(shapes), first_id_[kind()], threads, references));
             });
+            bounds = found.bounds;
         };
         find();
         if (!(bounds.min.x <= bounds.max.x)) return {};
@@ -152,33 +158,48 @@ private:
                                                 std::numeric_limits<T>::max_exponent - 2));
             find();
         }
-        build_box all;
-        for (const build_box& r : references) all.include(r);
-        size = all.reach();
-        std::erase_if(references, [](const build_box& b) { return b.low(0) > b.high(0); });
-        placed_ = static_cast<std::uint32_t>(references.size());
+        centers = found.centers;
+        size = found.all.reach();
+        placed_ = found.count;
+        if (placed_ < count_) std::erase_if(references, [](const build_box& b) { return b.low(0) > b.high(0); });
         return references;
     }
 
+    /// What is known of many boxes.
+    struct box_summary {
+        aabb<T> bounds;
+        build_box all, centers;   ///< scaled and in floats
+        std::uint32_t count = 0;  ///< of those that have points
+
+        void add(const box_summary& other) {
+            bounds = hull(bounds, other.bounds);
+            all.include(other.all), centers.include(other.centers);
+            count += other.count;
+        }
+    };
+
     template <class Source>
-    aabb<T> find_boxes(const Source& shapes, std::uint32_t first_id, unsigned threads,
-                       std::vector<build_box>& references) const {
-        std::vector<aabb<T>> hulls(parts_of(part_size, shapes.size()));
-        parallel_for(hulls.size(), threads, [&](std::size_t i) {
+    box_summary find_boxes(const Source& shapes, std::uint32_t first_id, unsigned threads,
+                           std::span<build_box> references) const {
+        std::vector<box_summary> found(parts_of(part_size, shapes.size()));
+        parallel_for(found.size(), threads, [&](std::size_t i) {
             const part p = part_of(i, part_size, shapes.size());
+            box_summary own;
             for (std::size_t j = p.begin; j < p.end; ++j) {
                 const aabb<T> box = shapes[j].bounds();
-                if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) continue;
                 const auto id = first_id + static_cast<std::uint32_t>(j);
+                references[id] = {};
+                if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) continue;
                 if (!is_finite(box.min) || !is_finite(box.max)) {
                     throw std::invalid_argument("raio::bvh: shape " + std::to_string(id) + " has no finite bounds");
                 }
                 references[id] = to_build_box(aabb<T>{box.min * scale, box.max * scale}, id);
-                hulls[i] = hull(hulls[i], box);
+                own.add({box, references[id], center_box(references[id]), 1});
             }
+            found[i] = own;
         });
-        aabb<T> all;
-        for (const aabb<T>& box : hulls) all = hull(all, box);
+        box_summary all;
+        for (const box_summary& part : found) all.add(part);
         return all;
     }
 
@@ -186,11 +207,19 @@ private:
     static void fill(Leaves& leaves, std::span<const leaf_range> ranges, const Source& shapes,
                      std::span<const std::uint32_t> order, std::uint32_t first_id, unsigned threads) {
         leaves.resize(ranges);
+        const auto ids_of = [&](const leaf_range& range) { return order.subspan(range.first, range.count); };
+        // Shapes are read from anywhere: they are asked for some leaves ahead.
+        constexpr std::size_t ahead = 4;
+        const auto fetch = [&](const leaf_range& range) {
+            if constexpr (std::is_lvalue_reference_v<decltype(shapes[0])>) {
+                for (const std::uint32_t id : ids_of(range)) __builtin_prefetch(&shapes[id - first_id]);
+            }
+        };
         parallel_for(parts_of(part_size, ranges.size()), threads, [&](std::size_t i) {
             const part p = part_of(i, part_size, ranges.size());
             for (std::size_t j = p.begin; j < p.end; ++j) {
-                leaves.fill(j, order.subspan(ranges[j].first, ranges[j].count),
-                            [&](std::uint32_t id) { return shapes[id - first_id]; });
+                if (j + ahead < p.end) fetch(ranges[j + ahead]);
+                leaves.fill(j, ids_of(ranges[j]), [&](std::uint32_t id) { return shapes[id - first_id]; });
             }
         });
     }

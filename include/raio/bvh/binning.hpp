@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <raio/bvh/build_box.hpp>
 
 /// \file
@@ -18,6 +20,13 @@ inline build_box center_box(const build_box& box) {
     build_box b;
     b.v = box.v - std::bit_cast<build_box::numbers>(swapped);
     return b;
+}
+
+/// The box around all the centres.
+inline build_box centers_of(std::span<const build_box> boxes) {
+    build_box centers;
+    for (const build_box& box : boxes) centers.include(center_box(box));
+    return centers;
 }
 
 /// Which bin a centre falls into: the extent of all the centres, axis by axis, in equal parts.
@@ -40,7 +49,6 @@ struct bin_split {
     float cost = build_box::none;  ///< the half areas of both sides, each times the number of its boxes
     unsigned axis = 3;             ///< 3: the boxes cannot be told apart
     unsigned last = 0;             ///< the last bin of the left side
-    build_box left, right;
     std::uint32_t left_count = 0;
 };
 
@@ -57,6 +65,16 @@ struct bins {
         }
     }
 
+    void add(std::span<const build_box> references, const bin_scale& bin_of) {
+        // From both halves in turn: neighbours fall into the same bin, and would wait for each other.
+        const std::size_t half = references.size() / 2;
+        for (std::size_t i = 0; i < half; ++i) {
+            add(references[i], bin_of);
+            add(references[half + i], bin_of);
+        }
+        if (2 * half < references.size()) add(references.back(), bin_of);
+    }
+
     void add(const bins& other) {
         for (unsigned axis = 0; axis < 3; ++axis) {
             for (unsigned b = 0; b < bin_count; ++b) {
@@ -69,14 +87,12 @@ struct bins {
     bin_split best_split() const {
         bin_split best;
         for (unsigned axis = 0; axis < 3; ++axis) {
-            std::array<build_box, bin_count> right;
             std::array<float, bin_count> right_cost;
             build_box side;
             std::uint32_t beyond = 0;
             for (unsigned b = bin_count - 1; b > 0; --b) {
                 side.include(box[axis][b]);
                 beyond += count[axis][b];
-                right[b] = side;
                 right_cost[b] = side.half_area() * static_cast<float>(beyond);
             }
             side = {};
@@ -88,7 +104,7 @@ struct bins {
                 if (before == 0 || before == total) continue;
                 const float cost = side.half_area() * static_cast<float>(before) + right_cost[b + 1];
                 if (cost < best.cost) {
-                    best = {cost, axis, b, side, right[b + 1], before};
+                    best = {cost, axis, b, before};
                 }
             }
         }

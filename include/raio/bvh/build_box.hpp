@@ -26,12 +26,14 @@ struct build_box {
 
     std::uint32_t id() const { return std::bit_cast<std::uint32_t>(v[3]); }
     void set_id(std::uint32_t id) { v.set(3, std::bit_cast<float>(id)); }
+    std::uint32_t note() const { return std::bit_cast<std::uint32_t>(v[7]); }
+    void set_note(std::uint32_t note) { v.set(7, std::bit_cast<float>(note)); }
 
     void include(const build_box& other) { v = numbers::min(v, other.v); }
 
     /// Half of the surface: what the probability is proportional to that a ray meets the box.
     float half_area() const {
-        const float x = extent(0), y = extent(1), z = extent(2);
+        const float x = v[0] + v[4], y = v[1] + v[5], z = v[2] + v[6];  // each with a minus, of which two cancel
         return x * y + y * z + z * x;
     }
 
@@ -66,6 +68,7 @@ inline float cells_per_length(float cells, float extent) {
 /// The largest float that is not above x, up to one: floats are taken as they are.
 template <class T>
 float rounded_down(T x) {
+    if constexpr (std::same_as<T, float>) return x;
     const float nearest = static_cast<float>(x);
     if (static_cast<T>(nearest) <= x) return nearest;
     return std::nextafter(nearest, -std::numeric_limits<float>::infinity());

@@ -33,8 +33,8 @@ struct leaf_range {
 };
 
 struct wide_tree {
-    large_vector<wide_node> nodes;                ///< the root is node 0
-    std::vector<std::vector<leaf_range>> leaves;  ///< of each kind
+    large_vector<wide_node> nodes;                 ///< the root is node 0
+    std::vector<large_vector<leaf_range>> leaves;  ///< of each kind
     /// Of a ray through the box of all: the surface area heuristic, a node counting 1. The root alone
     /// counts if that box has no area.
     double cost = 0;
@@ -43,23 +43,24 @@ struct wide_tree {
 class collapser {
 public:
     collapser(const binary_tree& tree, std::span<const leaf_kind> kinds, unsigned threads)
-        : binary_(tree), kinds_(kinds), cost_(tree.nodes.size()) {
+        : binary_(tree), kinds_(kinds), cost_(tree.nodes.size() / 2) {
         wide_.leaves.resize(kinds.size());
         if (tree.nodes.empty()) return;
         // The nodes of a part have their children in it, but for the first part, which is on top of all.
         parallel_for(tree.parts.size() - 1, threads, [&](std::size_t i) { find_costs(tree.parts[i + 1]); });
         find_costs(tree.parts[0]);
-        emit();
-        wide_.cost = quotient(static_cast<double>(cost_[0][0]), static_cast<double>(area(0)), 1.0);
+        emit_all(threads);
+        wide_.cost = quotient(static_cast<double>(cost(0, 1)), static_cast<double>(area(0)), 1.0);
     }
 
     wide_tree take() { return std::move(wide_); }
 
 private:
     static constexpr std::size_t width = node_width;
+    static constexpr std::uint32_t branch_size = 4096;
 
     /// c(n, 1), c(n, 2), ... c(n, width)
-    using costs = std::array<float, width>;
+    using costs = pack<float, width>;
 
     struct open_place {
         std::uint32_t node;  ///< of the binary tree
@@ -69,78 +70,79 @@ private:
     float area(std::uint32_t n) const { return binary_.nodes[n].box.half_area(); }
 
     float leaf_cost(const binary_node& n) const {
-        if (n.kind == binary_node::mixed || n.count > kinds_[n.kind].lanes) return build_box::none;
-        const leaf_kind& kind = kinds_[n.kind];
-        return n.box.half_area() * kind.of(n.count);
+        if (n.kind() == binary_node::mixed || n.count() > kinds_[n.kind()].lanes) return build_box::none;
+        const leaf_kind& kind = kinds_[n.kind()];
+        return n.box.half_area() * kind.of(n.count());
     }
 
-    /// d(n, i + 1) for all i from 1 to width - 1
-    costs distributed(const binary_node& n) const {
-        const costs& left = cost_[n.left];
-        // Before the first number there is none: as many as it takes to start at any i - k.
-        std::array<float, 2 * width> right;
-        std::fill_n(right.begin(), width, build_box::none);
-        std::copy_n(cost_[n.left + 1].begin(), width, right.begin() + width);
-        costs d;
-        d.fill(build_box::none);
-        for (std::size_t k = 0; k + 1 < width; ++k) {
-            const float* shifted = right.data() + width - 1 - k;
-            for (std::size_t i = 0; i < width; ++i) {
-                const float sum = left[k] + shifted[i];
-                d[i] = sum < d[i] ? sum : d[i];
-            }
-        }
-        return d;
+    /// c(n, places)
+    float cost(std::uint32_t n, std::size_t places) const {
+        const binary_node& node = binary_.nodes[n];
+        return node.is_leaf() ? leaf_cost(node) : cost_[node.first() / 2][places - 1];
     }
+    costs all_costs(const binary_node& n) const { return n.is_leaf() ? costs(leaf_cost(n)) : cost_[n.first() / 2]; }
 
     void find_costs(part range) {
+        // Before the first number there is none: as many as it takes to start anywhere.
+        std::array<float, 2 * width> rest;
+        rest.fill(build_box::none);
         for (std::size_t i = range.end; i-- > range.begin;) {
             const binary_node& n = binary_.nodes[i];
-            costs& c = cost_[i];
-            const float as_leaf = leaf_cost(n);
-            if (n.is_leaf()) {
-                c.fill(as_leaf);
-                continue;
+            if (n.is_leaf()) continue;
+            const binary_node *one = &binary_.nodes[n.first()], *other = one + 1;
+            if (other->is_leaf()) std::swap(one, other);
+            all_costs(*other).store(rest.data() + width);
+            costs distributed(build_box::none);
+            const auto give = [&](float cost, std::size_t places) {
+                distributed = costs::min(distributed, costs(cost) + costs::load(rest.data() + width - places));
+            };
+            if (one->is_leaf()) {
+                give(leaf_cost(*one), 1);  // which wants no more
+            } else {
+                for (std::size_t k = 1; k < width; ++k) give(cost_[one->first() / 2][k - 1], k);
             }
-            c = distributed(n);
-            c[0] = std::min(as_leaf, n.box.half_area() + c[width - 1]);
-            for (std::size_t j = 1; j < width; ++j) c[j] = std::min(c[j], c[j - 1]);
+            const float as_node = n.box.half_area() + distributed[width - 1];
+            // More places never cost more.
+            cost_[n.first() / 2] = costs::min(distributed, costs(std::min(leaf_cost(n), as_node)));
         }
     }
 
     /// How many of the places the left child takes, of those that n is distributed to.
     std::size_t left_share(const binary_node& n, std::size_t places) const {
-        const costs &left = cost_[n.left], &right = cost_[n.left + 1];
-        std::size_t best = 1;
-        float least = build_box::none;
-        for (std::size_t k = 1; k < places; ++k) {
-            const float sum = left[k - 1] + right[places - k - 1];
-            if (sum < least) least = sum, best = k;
-        }
-        return best;
+        const binary_node &left = binary_.nodes[n.first()], &right = binary_.nodes[n.first() + 1];
+        if (left.is_leaf()) return 1;
+        if (right.is_leaf()) return places - 1;
+        // The least sum is the cost, or n would not be distributed to them.
+        const float least = cost_[n.first() / 2][places - 1];
+        const auto sum = [&](std::size_t k) {
+            return cost_[left.first() / 2][k - 1] + cost_[right.first() / 2][places - k - 1];
+        };
+        std::size_t k = 1;
+        while (k + 1 < places && sum(k) != least) ++k;
+        return k;
     }
 
     /// The binary nodes that stand in a wide node made of n.
-    void find_children(std::uint32_t n, std::vector<std::uint32_t>& children) {
-        children.clear();
-        std::vector<open_place>& stack = places_;
+    template <class Visit>
+    void for_each_child(std::uint32_t n, Visit visit) const {
+        std::array<open_place, width> stack;
+        std::size_t open = 0;
         const auto distribute = [&](std::uint32_t i, std::size_t places) {
             const binary_node& node = binary_.nodes[i];
             const std::size_t left = left_share(node, places);
-            stack.push_back({node.left + 1, places - left});
-            stack.push_back({node.left, left});
+            stack[open++] = {node.first() + 1, places - left};
+            stack[open++] = {node.first(), left};
         };
         if (becomes_leaf(n)) {
-            children.push_back(n);
+            visit(n);
             return;
         }
         distribute(n, width);
-        while (!stack.empty()) {
-            open_place p = stack.back();
-            stack.pop_back();
-            while (p.places > 1 && !(cost_[p.node][p.places - 1] < cost_[p.node][p.places - 2])) --p.places;
+        while (open > 0) {
+            open_place p = stack[--open];
+            while (p.places > 1 && !(cost(p.node, p.places) < cost(p.node, p.places - 1))) --p.places;
             if (p.places == 1) {
-                children.push_back(p.node);
+                visit(p.node);
             } else {
                 distribute(p.node, p.places);
             }
@@ -149,47 +151,106 @@ private:
 
     bool becomes_leaf(std::uint32_t n) const {
         const binary_node& node = binary_.nodes[n];
-        return node.is_leaf() || (leaf_cost(node) <= cost_[n][0] && leaf_cost(node) < build_box::none);
+        return node.is_leaf() || (leaf_cost(node) <= cost(n, 1) && leaf_cost(node) < build_box::none);
     }
 
-    void emit() {
+    /// A wide node to be. Places are counted in the branch that it belongs to.
+    struct choice {
+        std::array<std::uint32_t, width> children;  ///< nodes of the binary tree, leaves first
+        std::uint32_t count = 0, leaf_count = 0;
+        std::uint32_t place = 0, first_node = 0;
+    };
+
+    /// The wide nodes below one of the binary tree, each of which has its children side by side.
+    struct branch {
+        std::uint32_t root = 0;   ///< of the binary tree
+        std::uint32_t place = 0;  ///< of that one in the wide tree
+        std::uint32_t places = 1;
+        std::vector<choice> nodes{};
+        std::vector<std::uint32_t> leaf_count{};  ///< of each kind
+        std::uint32_t first_node = 1;             ///< where those below the root stand in the wide tree
+        std::vector<std::uint32_t> first_leaf{};  ///< and the leaves of each kind
+    };
+
+    choice choose_children(std::uint32_t n) const {
+        // Leaves have the first places; and where any hit will do, it is soonest found in a large child.
+        choice made;
+        std::array<std::pair<bool, float>, width> ranks;
+        for_each_child(n, [&](std::uint32_t child) {
+            const std::pair rank(becomes_leaf(child), area(child));
+            std::size_t i = made.count++;
+            for (; i > 0 && ranks[i - 1] < rank; --i) ranks[i] = ranks[i - 1], made.children[i] = made.children[i - 1];
+            ranks[i] = rank, made.children[i] = child;
+            made.leaf_count += rank.first ? 1 : 0;
+        });
+        return made;
+    }
+
+    /// \param below  if given, takes the branches that begin at nodes of few references
+    void choose(branch& all, std::vector<branch>* below) const {
         struct open_node {
-            std::uint32_t binary, wide;
+            std::uint32_t binary, place;
         };
-        std::vector<open_node> stack{{0, 0}};
-        std::vector<std::uint32_t> children;
-        wide_.nodes.resize(1);
+        all.leaf_count.assign(kinds_.size(), 0);
+        std::vector<open_node> stack{{all.root, 0}};
         while (!stack.empty()) {
             const open_node current = stack.back();
             stack.pop_back();
-            find_children(current.binary, children);
-            // Leaves have the first places; and where any hit will do, it is soonest found in a large child.
-            std::ranges::stable_sort(children, std::ranges::greater{},
-                                     [&](std::uint32_t n) { return std::pair(becomes_leaf(n), area(n)); });
-            const std::size_t stacked = stack.size();
-            wide_node made;
-            made.first_node = static_cast<std::uint32_t>(wide_.nodes.size());
-            for (std::size_t i = 0; i < children.size(); ++i) {
-                const binary_node& node = binary_.nodes[children[i]];
-                made.set(i, node.box);
-                if (becomes_leaf(children[i])) {
-                    std::vector<leaf_range>& leaves = wide_.leaves[node.kind];
-                    made.leaves[made.leaf_count++] = child::leaf(node.kind, static_cast<std::uint32_t>(leaves.size()));
-                    leaves.push_back({node.first, node.count});
-                } else {
-                    stack.push_back({children[i], static_cast<std::uint32_t>(wide_.nodes.size())});
-                    wide_.nodes.emplace_back();
-                }
+            if (below && binary_.nodes[current.binary].count() <= branch_size) {
+                below->push_back({.root = current.binary, .place = current.place});
+                continue;
             }
-            wide_.nodes[current.wide] = made;
-            std::reverse(stack.begin() + static_cast<std::ptrdiff_t>(stacked), stack.end());
+            choice made = choose_children(current.binary);
+            made.place = current.place, made.first_node = all.places;
+            for (std::uint32_t i = 0; i < made.leaf_count; ++i) {
+                ++all.leaf_count[binary_.nodes[made.children[i]].kind()];
+            }
+            all.places += made.count - made.leaf_count;
+            for (std::uint32_t i = made.count; i-- > made.leaf_count;) {
+                stack.push_back({made.children[i], made.first_node + i - made.leaf_count});
+            }
+            all.nodes.push_back(made);
         }
+    }
+
+    void emit(branch& from) {
+        for (const choice& chosen : from.nodes) {
+            wide_node made;
+            made.first_node = from.first_node + chosen.first_node - 1;
+            made.leaf_count = chosen.leaf_count;
+            for (std::uint32_t i = 0; i < chosen.count; ++i) {
+                const binary_node& node = binary_.nodes[chosen.children[i]];
+                made.set(i, node.box);
+                if (i >= chosen.leaf_count) continue;
+                const std::uint32_t leaf = from.first_leaf[node.kind()]++;
+                made.leaves[i] = child::leaf(node.kind(), leaf);
+                wide_.leaves[node.kind()][leaf] = {binary_.first_reference(chosen.children[i]), node.count()};
+            }
+            wide_.nodes[chosen.place == 0 ? from.place : from.first_node + chosen.place - 1] = made;
+        }
+    }
+
+    void emit_all(unsigned threads) {
+        branch top;
+        std::vector<branch> branches;
+        choose(top, &branches);
+        parallel_for(branches.size(), threads, [&](std::size_t i) { choose(branches[i], nullptr); });
+        branches.push_back(std::move(top));
+        std::uint32_t first_node = branches.back().places;
+        std::vector<std::uint32_t> first_leaf(kinds_.size(), 0);
+        for (branch& b : branches) {
+            if (&b != &branches.back()) b.first_node = std::exchange(first_node, first_node + b.places - 1);
+            b.first_leaf = first_leaf;
+            for (std::size_t kind = 0; kind < kinds_.size(); ++kind) first_leaf[kind] += b.leaf_count[kind];
+        }
+        wide_.nodes.resize(first_node);
+        for (std::size_t kind = 0; kind < kinds_.size(); ++kind) wide_.leaves[kind].resize(first_leaf[kind]);
+        parallel_for(branches.size(), threads, [&](std::size_t i) { emit(branches[i]); });
     }
 
     const binary_tree& binary_;
     std::span<const leaf_kind> kinds_;
-    std::vector<costs> cost_;
-    std::vector<open_place> places_;
+    large_vector<costs> cost_;
     wide_tree wide_;
 };
 

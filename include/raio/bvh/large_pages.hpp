@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 #if __has_include(<sys/mman.h>)
@@ -35,6 +36,10 @@ struct large_pages {
 #endif
         return static_cast<Value*>(place);
     }
+    /// What is new without a value is left unset: it is about to be written, and perhaps by several threads.
+    template <class Unset>
+    requires std::is_trivially_copyable_v<Unset>
+    void construct(Unset*) {}
     void deallocate(Value* place, std::size_t n) { ::operator delete(place, alignment(n)); }
 
     friend bool operator==(const large_pages&, const large_pages&) { return true; }

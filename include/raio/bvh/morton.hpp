@@ -12,11 +12,13 @@ namespace raio::detail {
 
 class morton_builder {
 public:
-    morton_builder(std::span<const build_box> references, kinds kind_of, std::uint32_t leaf, unsigned threads)
+    /// \param centers  the box around all the centres
+    morton_builder(std::span<const build_box> references, const build_box& centers, kinds kind_of, std::uint32_t leaf,
+                   unsigned threads)
         : references_(references), kind_of_(kind_of), leaf_(leaf), threads_(threads) {
         const std::size_t n = references.size();
         if (n == 0) return;
-        find_codes();
+        find_codes(centers);
         sort();
         tree_.order.resize(n);
         build_top();
@@ -40,24 +42,17 @@ private:
         return (x | x << 2) & 0x09249249u;
     }
 
-    void find_codes() {
+    void find_codes(const build_box& centers) {
         const std::size_t n = references_.size();
-        std::vector<build_box> centers(parts_of(part_size, n));
-        parallel_for(centers.size(), threads_, [&](std::size_t i) {
-            const part p = part_of(i, part_size, n);
-            for (std::size_t j = p.begin; j < p.end; ++j) centers[i].include(center_box(references_[j]));
-        });
-        build_box all;
-        for (const build_box& c : centers) all.include(c);
         std::array<float, 3> scale;
-        for (unsigned axis = 0; axis < 3; ++axis) scale[axis] = cells_per_length(1024, all.extent(axis));
+        for (unsigned axis = 0; axis < 3; ++axis) scale[axis] = cells_per_length(1024, centers.extent(axis));
         places_.resize(n);
         parallel_for(parts_of(part_size, n), threads_, [&](std::size_t i) {
             const part p = part_of(i, part_size, n);
             for (std::size_t j = p.begin; j < p.end; ++j) {
                 std::uint32_t code = 0;
                 for (unsigned axis = 0; axis < 3; ++axis) {
-                    const float cell = (center2(references_[j], axis) - all.low(axis)) * scale[axis];
+                    const float cell = (center2(references_[j], axis) - centers.low(axis)) * scale[axis];
                     code |= spread(static_cast<std::uint32_t>(static_cast<int>(cell))) << axis;
                 }
                 places_[j] = {code, static_cast<std::uint32_t>(j)};
@@ -68,7 +63,7 @@ private:
     /// By counting, digit by digit from the lowest; parts of the range count, and move, on their own.
     void sort() {
         const std::size_t n = places_.size(), parts = parts_of(part_size, n);
-        std::vector<place> sorted(n);
+        large_vector<place> sorted(n);
         std::vector<std::array<std::uint32_t, digits>> begin(parts);
         for (std::uint32_t shift = 0; shift < 30; shift += digit_bits) {
             const auto digit = [&](const place& p) { return p.code >> shift & (digits - 1); };
@@ -94,10 +89,14 @@ private:
         const std::uint32_t differ = places_[begin].code ^ places_[end - 1].code;
         if (differ == 0) return begin + (end - begin) / 2;
         const std::uint32_t highest = std::bit_floor(differ);
-        const auto first = places_.begin() + static_cast<std::ptrdiff_t>(begin);
-        const auto cut = std::partition_point(first, places_.begin() + static_cast<std::ptrdiff_t>(end),
-                                              [&](const place& p) { return (p.code & highest) == 0; });
-        return static_cast<std::size_t>(cut - places_.begin());
+        // The last place without that bit, by halving: without branches, which would be guessed wrong half of the time.
+        const place* last = places_.data() + begin;
+        for (std::size_t left = end - begin; left > 1;) {
+            const std::size_t half = left / 2;
+            last += (last[half].code & highest) == 0 ? half : 0;
+            left -= half;
+        }
+        return static_cast<std::size_t>(last + 1 - places_.data());
     }
 
     struct open_node {
@@ -117,8 +116,7 @@ private:
             }
             const std::size_t cut = find_cut(current.begin, current.end);
             const auto left = static_cast<std::uint32_t>(nodes.size());
-            nodes[current.node].left = left;
-            set_range(nodes[current.node], current);
+            nodes[current.node] = binary_node::parent(left, current.end - current.begin);
             nodes.resize(nodes.size() + 2);
             stack.push_back({left + 1, cut, current.end});
             stack.push_back({left, current.begin, cut});
@@ -126,25 +124,24 @@ private:
         return rest;
     }
 
-    static void set_range(binary_node& node, const open_node& from) {
-        node.first = static_cast<std::uint32_t>(from.begin);
-        node.count = static_cast<std::uint32_t>(from.end - from.begin);
-    }
-
     void build_top() {
-        tree_.nodes.resize(1);
-        const std::vector<open_node> tasks = divide(tree_.nodes, {0, 0, places_.size()}, part_size);
+        std::vector<binary_node> top(1);
+        const std::vector<open_node> tasks = divide(top, {0, 0, places_.size()}, part_size);
         std::vector<std::uint32_t> roots;
         for (const open_node& task : tasks) roots.push_back(task.node);
-        grow_branches(tree_, roots, threads_, [&](std::size_t i) {
+        grow_branches(tree_, top, roots, threads_, [&](std::size_t i) {
             std::vector<binary_node> nodes(1);
-            for (const open_node& leaf : divide(nodes, {0, tasks[i].begin, tasks[i].end}, leaf_)) close(nodes, leaf);
+            nodes.reserve(tasks[i].end - tasks[i].begin);
+            for (const open_node& leaf : divide(nodes, {0, tasks[i].begin, tasks[i].end}, leaf_)) {
+                close(nodes, leaf, tasks[i].end);
+            }
             return nodes;
         });
     }
 
     /// Makes a leaf, or one of each kind.
-    void close(std::vector<binary_node>& nodes, open_node leaf) {
+    /// \param end  of what the same thread closes
+    void close(std::vector<binary_node>& nodes, open_node leaf, std::size_t end) {
         for (;;) {
             const auto first = places_.begin() + static_cast<std::ptrdiff_t>(leaf.begin);
             const auto last = places_.begin() + static_cast<std::ptrdiff_t>(leaf.end);
@@ -152,19 +149,20 @@ private:
             const std::uint32_t own = kind(*first);
             const auto others = std::stable_partition(first, last, [&](const place& p) { return kind(p) == own; });
             const auto cut = static_cast<std::size_t>(others - places_.begin());
-            binary_node made{.box = {}, .left = 0, .first = 0, .count = 0, .kind = own};
-            set_range(made, {0, leaf.begin, cut});
+            constexpr std::size_t ahead = 64;  // boxes are read from anywhere: they are asked for before
+            build_box box;
             for (std::size_t i = leaf.begin; i < cut; ++i) {
-                made.box.include(references_[places_[i].reference]);
+                __builtin_prefetch(&references_[places_[std::min(i + ahead, end - 1)].reference]);
+                box.include(references_[places_[i].reference]);
                 tree_.order[i] = references_[places_[i].reference].id();
             }
+            const auto made = binary_node::leaf(box, static_cast<std::uint32_t>(leaf.begin), cut - leaf.begin, own);
             if (cut == leaf.end) {
                 nodes[leaf.node] = made;
                 return;
             }
             const auto left = static_cast<std::uint32_t>(nodes.size());
-            nodes[leaf.node].left = left;
-            set_range(nodes[leaf.node], leaf);
+            nodes[leaf.node] = binary_node::parent(left, leaf.end - leaf.begin);
             nodes.push_back(made);
             nodes.emplace_back();
             leaf = {left + 1, cut, leaf.end};
@@ -175,7 +173,7 @@ private:
     kinds kind_of_;
     std::uint32_t leaf_;
     unsigned threads_;
-    std::vector<place> places_;
+    large_vector<place> places_;
     binary_tree tree_;
 };
 

@@ -69,8 +69,8 @@ inline std::array<build_box, 2> split_box(const build_box& box, const corners& t
 /// \param corners_of  the corners of a reference's triangle; nothing for other shapes
 /// \param budget      how many pieces more there may be, for each reference
 template <class CornersOf>
-std::vector<build_box> presplit(std::span<const build_box> references, float budget, unsigned threads,
-                                CornersOf corners_of) {
+large_vector<build_box> presplit(std::span<const build_box> references, float budget, unsigned threads,
+                                 CornersOf corners_of) {
     constexpr std::size_t part_size = 4096;
     const std::size_t n = references.size(), parts = parts_of(part_size, n);
     build_box scene;
@@ -141,8 +141,11 @@ std::vector<build_box> presplit(std::span<const build_box> references, float bud
             }
         }
     });
-    std::vector<build_box> all;
-    for (const auto& some : pieces) all.insert(all.end(), some.begin(), some.end());
+    std::vector<std::size_t> begin;
+    std::size_t total = 0;
+    for (const auto& some : pieces) begin.push_back(std::exchange(total, total + some.size()));
+    large_vector<build_box> all(total);
+    parallel_for(parts, threads, [&](std::size_t i) { std::ranges::copy(pieces[i], all.data() + begin[i]); });
     return all;
 }
 
