@@ -72,19 +72,30 @@ RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
     return c;
 }
 
-/// The chord of a side, whose face is 0, and of the spheres at both its ends. These lie within the side without its
-/// ends: where that is crossed between them, they are not.
+/// The chord of a side, whose face is 0, and of the spheres at both its ends, whose faces are 1 and 2. These lie within
+/// the side without its ends: where that is crossed between them, they are not.
 template <class W, class Sphere, real R>
 RAIO_FN constexpr chord<W> with_round_ends(const chord<W>& c, const Sphere& low, const Sphere& high,
                                            const ray<R>& ray) {
     const index_t<W> side(0);
     const mask_t<W> beside = every(c.near.exists, c.near.certain, c.near.face == side, c.far.face == side);
     if (all(beside)) return c;
-    chord<W> whole = unite(c, unite(low.template crossings<W>(ray), high.template crossings<W>(ray)));
+    chord<W> of_low = low.template crossings<W>(ray), of_high = high.template crossings<W>(ray);
+    of_low.near.face = of_low.far.face = index_t<W>(1);
+    of_high.near.face = of_high.far.face = index_t<W>(2);
+    chord<W> whole = unite(c, unite(of_low, of_high));
     return {select(beside, c.near, whole.near), select(beside, c.far, whole.far)};
 }
 
-/// What is missing of a crossing; `side` says that of the side.
+/// What is missing of a crossing with a shape that has round ends; `side` says that of the side.
+template <class X, class W, class Sphere, class Side>
+RAIO_FN constexpr crossing<W> correct_round(const Sphere& low, const Sphere& high, const nearby_ray<X, W>& ray,
+                                            const crossing<W>& c, Side side) {
+    if (c.face == 0) return side();
+    return c.face == 1 ? low.correction(ray, c) : high.correction(ray, c);
+}
+
+/// What is missing of a crossing with a shape that has flat caps.
 template <class X, class W, real T, class Side>
 RAIO_FN constexpr crossing<W> correct_axial(const vec3<T>& base, const vec3<T>& top, const nearby_ray<X, W>& ray,
                                             const crossing<W>& c, Side side) {

@@ -146,9 +146,11 @@ template <real W>
 RAIO_FN constexpr chord<W> unite(const chord<W>& a, const chord<W>& b) {
     const auto chosen = [](const mask_t<W>& second, const crossing<W>& x, const crossing<W>& y) {
         crossing<W> c = select(second, y, x);
+        const mask_t<W> both = every(x.exists, y.exists);
         // The crossing that was passed over counts as far as its error reaches beyond the chosen one.
-        bound_t<W> beyond = select(second, x.error, y.error) - abs(bound_t<W>(y.t - x.t));
-        c.error = select(every(x.exists, y.exists), max(c.error, beyond), c.error);
+        bound_t<W> apart = abs(bound_t<W>(y.t - x.t)), beyond = select(second, x.error, y.error) - apart;
+        c.shared = some(c.shared, every(both, apart <= x.error + y.error));
+        c.error = select(both, max(c.error, beyond), c.error);
         c.certain = every(x.certain, y.certain);
         return c;
     };

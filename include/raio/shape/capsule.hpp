@@ -59,6 +59,12 @@ struct capsule {
         return c;
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_round(low_end(), high_end(), ray, c,
+                                     [&] { return detail::correct_cylinder(base, top, radius, ray, c); });
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;

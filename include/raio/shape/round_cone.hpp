@@ -76,6 +76,14 @@ struct round_cone {
         return c;
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return detail::correct_round(low_end(), high_end(), ray, c, [&] {
+            const touching_cone<X> cone(narrow_first());
+            return correct_quadric(cone.surface, ray.seen_from(narrow_first().base), ray.direction, c);
+        });
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
@@ -117,27 +125,48 @@ private:
     RAIO_FN constexpr sphere<T> low_end() const { return {base, base_radius}; }
     RAIO_FN constexpr sphere<T> high_end() const { return {top, top_radius}; }
 
+    /// The same, with the lesser sphere first.
+    RAIO_FN constexpr round_cone narrow_first() const {
+        const mask_t<T> turned = top_radius < base_radius;
+        return {select(turned, top, base), select(turned, base, top), min(base_radius, top_radius),
+                max(base_radius, top_radius)};
+    }
+
+    /// The cone that touches both spheres; the lesser one is at the base.
+    template <class W>
+    struct touching_cone {
+        W radius, widening;  ///< at the base, and from there to the top
+        W apart;             ///< D
+        revolved_quadric<W> surface;
+
+        RAIO_FN constexpr explicit touching_cone(const round_cone& s) : radius(s.base_radius) {
+            vec3<W> axis = vec3<W>(s.top) - vec3<W>(s.base);
+            W axis2 = dot(axis, axis);
+            widening = W(s.top_radius) - radius;
+            apart = axis2 - widening * widening;
+            if (!all(axis2 >= W(8) * (axis2 - apart))) {  // D cancels where it is wide: there it takes more digits
+                using X = exact_t<T>;
+                vec3<X> exact_axis = vec3<X>(s.top) - vec3<X>(s.base);
+                X exact_widening = X(s.top_radius) - X(s.base_radius), exact_axis2 = dot(exact_axis, exact_axis);
+                axis2 = W(exact_axis2), apart = W(exact_axis2 - exact_widening * exact_widening);
+            }
+            W scale = quotient(axis2, max(apart, W(0)), W(0)), r = radius;
+            surface = {axis, W(1),           scale * r * r, W(2) * scale * r * widening, scale * widening * widening,
+                       W(0), W(s.top_radius)};
+        }
+    };
+
     /// The chord through the cone, between the circles where it touches the spheres.
     template <class W, real R>
     RAIO_FN constexpr chord<W> cross_side(const ray<R>& ray) const {
         using E = bound_t<W>;
-        const mask_t<T> turned = top_radius < base_radius;
-        vec3<T> from = select(turned, top, base), to = select(turned, base, top);
-        const T lesser = min(base_radius, top_radius), larger = max(base_radius, top_radius);
-        vec3<W> axis = vec3<W>(to) - vec3<W>(from), d(ray.direction), to_center = vec3<W>(from) - vec3<W>(ray.origin);
-        W r(lesser), widening = W(larger) - r, axis2 = dot(axis, axis), apart = axis2 - widening * widening;
-        if (!all(axis2 >= W(8) * (axis2 - apart))) {  // D cancels where the cone is wide: there it takes more digits
-            using X = exact_t<T>;
-            vec3<X> exact_axis = vec3<X>(to) - vec3<X>(from);
-            X exact_widening = X(larger) - X(lesser), exact_axis2 = dot(exact_axis, exact_axis);
-            axis2 = W(exact_axis2), apart = W(exact_axis2 - exact_widening * exact_widening);
-        }
+        const round_cone s = narrow_first();
+        const touching_cone<W> cone(s);
+        vec3<W> axis = cone.surface.axis, d(ray.direction), to_center = vec3<W>(s.base) - vec3<W>(ray.origin);
+        W r = cone.radius, widening = cone.widening, apart = cone.apart, axis2 = dot(axis, axis);
         const mask_t<W> sided = apart > W(0);
-        W scale = quotient(axis2, max(apart, W(0)), W(0));
-        revolved_quadric<W> cone{
-            axis, W(1), scale * r * r, W(2) * scale * r * widening, scale * widening * widening, W(0), W(larger)};
-        chord<W> c =
-            detail::one_nappe(cross_quadric(cone, to_center, norm1(vec3<E>(to_center)), d), dot(d, axis) > W(0));
+        chord<W> c = detail::one_nappe(cross_quadric(cone.surface, to_center, norm1(vec3<E>(to_center)), d),
+                                       dot(d, axis) > W(0));
         if constexpr (std::same_as<mask_t<W>, bool>) {
             // Whether the line starts on the cone, rho^2 D = (r + w h)^2 A.A says without a division.
             const bool near_0 = abs(E(c.near.t)) <= c.near.error, far_0 = abs(E(c.far.t)) <= c.far.error;
@@ -156,7 +185,7 @@ private:
             height.error += with_underflow<W>(E(4 * unit_roundoff<W>) * (abs(E(height.value)) + E(lower)));
             return height;
         };
-        c = intersect(c, detail::cross_slab(axis, above(from, lesser), above(to, larger), d));
+        c = intersect(c, detail::cross_slab(axis, above(s.base, s.base_radius), above(s.top, s.top_radius), d));
         for (crossing<W>* end : {&c.near, &c.far}) {
             end->exists = every(end->exists, sided);
             end->certain = some(end->certain, !sided);
