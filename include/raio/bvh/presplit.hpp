@@ -1,6 +1,7 @@
 #pragma once
 
 #include <raio/bvh/binning.hpp>
+#include <raio/bvh/large_pages.hpp>
 #include <raio/bvh/parallel.hpp>
 #include <raio/concepts.hpp>
 
