@@ -106,6 +106,8 @@ TEST_CASE("presplit: pieces hold all of their triangles, are not too many, and o
             pieces, detail::presplit(references, 0.5f, threads, corners_of),
             [](const build_box& a, const build_box& b) { return a.id() == b.id() && same_corners(a, b); }));
     }
+    const auto many = detail::presplit(references, 4.0f, 1, corners_of);  // several cuts each
+    CHECK((many.size() > 30'000 && many.size() <= 50'000));
     CHECK(detail::presplit(references, 0.0f, 1, corners_of).size() == references.size());
     CHECK(detail::presplit(std::span<const build_box>(), 0.5f, 1, corners_of).empty());
 }
