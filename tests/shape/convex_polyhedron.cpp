@@ -57,6 +57,24 @@ TEST_CASE_TEMPLATE("convex_polyhedron: named cases", T, float, double) {
     });
 }
 
+TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many planes say so", T, float, double) {
+    const auto area = [](std::vector<half_space<T>> planes) { return convex_polyhedron<T>{std::move(planes)}.area(); };
+    CHECK(area(cube_and<T>({})) == T(24));
+    CHECK(area(cube_and<T>({{{0, 0, 2}, -2}})) == T(24));             // a plane twice
+    CHECK(area(cube_and<T>({{{1, 1, 0}, -2}})) == T(24));             // through an edge only
+    CHECK(area(cube_and<T>({{{0, 0, 1}, -7}})) == T(24));             // beyond a face
+    CHECK(area(cube_and<T>({{{0, 0, 0}, -1}})) == T(24));             // no plane at all
+    CHECK(area(cube_and<T>({{{0, 0, 1}, 0}})) == T(16));              // through the middle
+    CHECK(area({{{0, 0, 1}, 0}}) == infinity<T>);                     // a half-space
+    CHECK(area({{{0, 1, 0}, -1}, {{0, -1, 0}, -1}}) == infinity<T>);  // a slab
+    CHECK(area({{{0, 1, 0}, -1}, {{0, -3, 0}, 6}}) == T(0));          // two planes, and nothing between
+    CHECK(area({{{1, 0, 0}, 0}, {{0, 1, 0}, 0}}) == infinity<T>);     // a wedge
+    CHECK(
+        area({{{1, 0, 0}, -1}, {{-1, 0, 0}, -1}, {{0, 0, 1}, 0}, {{0, 0, -1}, 0}, {{0, 1, 0}, -1}, {{0, -1, 0}, -1}}) ==
+        T(8));  // a square, both sides
+    CHECK(area({}) == T(0));
+}
+
 TEST_CASE_TEMPLATE("convex_polyhedron: a face across an axis has one coordinate, and no rounding moves points off", T,
                    float, double) {
     check_face_across_x(convex_polyhedron<T>{

@@ -170,13 +170,16 @@ private:
         return far;
     }
 
-    /// Is the same plane, with the same side, among those before plane i?
+    /// Whichever side of it is the inside.
+    RAIO_FN constexpr bool is_same_plane(std::size_t i, std::size_t k) const {
+        const vec3<exact> n(planes[i].normal), m(planes[k].normal), turn = cross(n, m);
+        const vec3<exact> apart = n * exact(planes[k].offset) - m * exact(planes[i].offset);
+        return dot(turn, turn) == exact(0) && dot(apart, apart) == exact(0);
+    }
     RAIO_FN constexpr bool repeats_an_earlier_plane(std::size_t i) const {
         const vec3<exact> n(planes[i].normal);
         for (std::size_t k = 0; k < i; ++k) {
-            const vec3<exact> m(planes[k].normal);
-            const vec3<exact> turn = cross(n, m), apart = n * exact(planes[k].offset) - m * exact(planes[i].offset);
-            if (dot(turn, turn) == exact(0) && dot(apart, apart) == exact(0) && dot(n, m) > exact(0)) return true;
+            if (dot(n, vec3<exact>(planes[k].normal)) > exact(0) && is_same_plane(i, k)) return true;
         }
         return false;
     }
@@ -185,6 +188,21 @@ private:
         const vec3<exact> n(planes[k].normal);
         exact offset(planes[k].offset), slack(0x1p20 * unit_roundoff<exact>);
         return abs(dot(n, p) + offset) <= slack * (dot(abs(n), abs(p)) + abs(offset));
+    }
+
+    /// Is all of plane i a face, without an edge: does it lie behind all others, which run parallel to it?
+    RAIO_FN constexpr bool is_face_without_end(std::size_t i) const {
+        const exact none(0), tiny(1024 * unit_roundoff<exact>);
+        const vec3<exact> n(planes[i].normal);
+        exact length2 = dot(n, n);
+        if (!(length2 > none)) return false;
+        const vec3<exact> foot = n * (-exact(planes[i].offset) / length2);
+        for (std::size_t k = 0; k < std::size(planes); ++k) {
+            const vec3<exact> m(planes[k].normal), turn = cross(n, m);
+            if (dot(turn, turn) > tiny * length2 * dot(m, m)) return false;
+            if (dot(m, foot) + exact(planes[k].offset) > none && !touches(k, foot)) return false;
+        }
+        return true;
     }
 
     /// The triangles between the edges of face i and the first corner that is met.
@@ -199,14 +217,16 @@ private:
             if (!is_finite(s.min) || !is_finite(s.max)) return infinity<exact>;
             const vec3<exact> from = point + direction * s.min, to = point + direction * s.max;
             bool seen = false;  // an edge that more than two planes go through counts once
-            for (std::size_t k = 0; k < j; ++k) seen = seen || (k != i && touches(k, from) && touches(k, to));
+            for (std::size_t k = 0; k < j; ++k) {
+                seen = seen || (!is_same_plane(i, k) && touches(k, from) && touches(k, to));
+            }
             if (seen) continue;
             if (!started) corner = from;
             started = true;
             const vec3<exact> twice_area = cross(from - corner, to - corner);
             sum += sqrt(dot(twice_area, twice_area)) / exact(2);
         }
-        return sum;
+        return is_face_without_end(i) ? infinity<exact> : sum;
     }
 
     /// The part of a line that is behind one plane: from its crossing on, up to it, or all or nothing if it runs
