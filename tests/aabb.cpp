@@ -5,6 +5,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "support/random.hpp"
+
 namespace raio::test {
 
 static_assert(aabb<float>{{0, 0, 0}, {1, 2, 3}}.half_area() == 2 + 6 + 3);
@@ -12,7 +14,7 @@ static_assert(aabb<float>{}.half_area() == 0);
 static_assert(aabb<double>{{0, 0, 0}, {1, 1, 1}}.contains({1, 0, 0.5}));
 static_assert(!aabb<double>{{0, 0, 0}, {1, 1, 1}}.contains({1.5, 0, 0.5}));
 
-TEST_CASE_TEMPLATE("aabb: a new one is empty, and the neutral element of hull", T, float, double) {
+TEST_CASE_TEMPLATE("aabb: a new one is empty, and the neutral element of hull", T, RAIO_NUMBERS) {
     const aabb<T> empty, box{{-1, 0, 1}, {2, 3, 4}};
     CHECK(!empty.contains({0, 0, 0}));
     CHECK(hull(empty, box).min == box.min);
@@ -21,7 +23,7 @@ TEST_CASE_TEMPLATE("aabb: a new one is empty, and the neutral element of hull", 
     CHECK(hull(empty, vec3<T>(1, 2, 3)).max == vec3<T>(1, 2, 3));
 }
 
-TEST_CASE_TEMPLATE("aabb: contains its faces, edges and corners, and no NaN", T, float, double) {
+TEST_CASE_TEMPLATE("aabb: contains its faces, edges and corners, and no NaN", T, RAIO_NUMBERS) {
     const aabb<T> box{{-1, 0, 1}, {2, 3, 4}};
     const T beyond = std::numeric_limits<T>::epsilon() * 4, nan = std::numeric_limits<T>::quiet_NaN();
     for (glm::length_t axis = 0; axis < 3; ++axis) {
@@ -38,7 +40,7 @@ TEST_CASE_TEMPLATE("aabb: contains its faces, edges and corners, and no NaN", T,
     CHECK(!unbounded<T>().contains({nan, 0, 0}));
 }
 
-TEST_CASE_TEMPLATE("aabb: hull takes in both", T, float, double) {
+TEST_CASE_TEMPLATE("aabb: hull takes in both", T, RAIO_NUMBERS) {
     const aabb<T> both = hull(aabb<T>{{0, -5, 0}, {1, 1, 9}}, aabb<T>{{-3, 0, 0}, {0, 2, 3}});
     CHECK(both.min == vec3<T>(-3, -5, 0));
     CHECK(both.max == vec3<T>(1, 2, 9));
@@ -46,7 +48,7 @@ TEST_CASE_TEMPLATE("aabb: hull takes in both", T, float, double) {
     CHECK(hull(both, vec3<T>(0, 7, -1)).min == vec3<T>(-3, -5, -1));
 }
 
-TEST_CASE_TEMPLATE("outward: to the next number or the one after it, and off zero", T, float, double) {
+TEST_CASE_TEMPLATE("outward: to the next number or the one after it, and off zero", T, RAIO_NUMBERS) {
     using limits = std::numeric_limits<T>;
     for (const T x : {T(1), T(-1), T(2) - limits::epsilon(), T(0.3), T(-1e20), T(1e-20), limits::max() / 2}) {
         const T next = std::nextafter(x, infinity<T>), after = std::nextafter(next, infinity<T>);

@@ -6,6 +6,8 @@
 
 #include <raio/shape/disc.hpp>
 
+#include "support/random.hpp"
+
 namespace raio::test {
 
 template <class T>
@@ -14,8 +16,8 @@ hit_record<T> record_on_floor() {
     return {T(3), {T(1), T(2), T(-5)}, {T(0), T(1), T(0)}, {T(0.5), T(0.25)}, vec3<T>(error), 7, true};
 }
 
-TEST_CASE_TEMPLATE("spawn_ray: starts on the side that the direction goes to, more than the error away", T, float,
-                   double) {
+TEST_CASE_TEMPLATE("spawn_ray: starts on the side that the direction goes to, more than the error away", T,
+                   RAIO_NUMBERS) {
     const hit_record<T> rec = record_on_floor<T>();
     const vec3<T> up(T(3), T(1), T(0)), down(T(3), T(-1), T(0));
     CHECK(spawn_ray(rec, up).direction == up);
@@ -25,7 +27,7 @@ TEST_CASE_TEMPLATE("spawn_ray: starts on the side that the direction goes to, mo
     CHECK(spawn_ray(rec, up).origin.z == rec.point.z);
 }
 
-TEST_CASE_TEMPLATE("spawn_ray: moves by the size of the error, no matter where or how large", T, float, double) {
+TEST_CASE_TEMPLATE("spawn_ray: moves by the size of the error, no matter where or how large", T, RAIO_NUMBERS) {
     for (const T scale : {T(1e-6), T(1), T(1e6)}) {
         hit_record<T> rec = record_on_floor<T>();
         rec.point *= scale, rec.error *= scale;
@@ -37,14 +39,14 @@ TEST_CASE_TEMPLATE("spawn_ray: moves by the size of the error, no matter where o
     }
 }
 
-TEST_CASE_TEMPLATE("spawn_ray: moves off a point at the origin that is exact", T, float, double) {
+TEST_CASE_TEMPLATE("spawn_ray: moves off a point at the origin that is exact", T, RAIO_NUMBERS) {
     hit_record<T> rec = record_on_floor<T>();
     rec.point = rec.error = vec3<T>(0);
     CHECK(spawn_ray(rec, vec3<T>(0, 1, 0)).origin.y > T(0));
     CHECK(spawn_ray(rec, vec3<T>(0, -1, 0)).origin.y < T(0));
 }
 
-TEST_CASE_TEMPLATE("spawn_ray: a layer 4e-5 behind another is not skipped", T, float, double) {
+TEST_CASE_TEMPLATE("spawn_ray: a layer 4e-5 behind another is not skipped", T, RAIO_NUMBERS) {
     const disc<T> front{{0, 0, 0}, {0, 0, 1}, 1}, behind{{0, 0, T(-4e-5)}, {0, 0, 1}, 1};
     hit_record<T> rec, next;
     REQUIRE(front.hit({{3, 2, 9}, {-3, -2, -9}}, T(0), infinity<T>, rec));
@@ -54,7 +56,7 @@ TEST_CASE_TEMPLATE("spawn_ray: a layer 4e-5 behind another is not skipped", T, f
     CHECK(next.t == doctest::Approx(4e-5).epsilon(0.05));
 }
 
-TEST_CASE_TEMPLATE("assign: takes over all or nothing", T, float, double) {
+TEST_CASE_TEMPLATE("assign: takes over all or nothing", T, RAIO_NUMBERS) {
     const hit_record<T> rec = record_on_floor<T>();
     hit_record<T> to;
     assign(false, to, rec);

@@ -62,7 +62,7 @@ TEST_CASE("build_box: the hull is the smallest box around both, and a new box ha
     for (unsigned axis = 0; axis < 3; ++axis) CHECK(none.low(axis) > none.high(axis));
 }
 
-TEST_CASE_TEMPLATE("rounded_down, rounded_up: the floats on both sides of a number", T, float, double) {
+TEST_CASE_TEMPLATE("rounded_down, rounded_up: the floats on both sides of a number", T, RAIO_NUMBERS) {
     random_numbers random(1);
     const auto check = [](T x) {
         const float low = detail::rounded_down(x), high = detail::rounded_up(x);

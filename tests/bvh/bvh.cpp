@@ -5,7 +5,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("bvh: as the loop over its shapes", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: as the loop over its shapes", T, RAIO_NUMBERS) {
     check_shape<triangle<T>>(300);
     check_shape<sphere<T>>(300);
     check_shape<box<T>>(300);
@@ -14,9 +14,9 @@ TEST_CASE_TEMPLATE("bvh: as the loop over its shapes", T, float, double) {
     check_shape<disc<T>>(300);
 }
 
-TEST_CASE_TEMPLATE("bvh: shapes without a shape of packs", T, float, double) { check_shape<convex_polyhedron<T>>(100); }
+TEST_CASE_TEMPLATE("bvh: shapes without a shape of packs", T, RAIO_NUMBERS) { check_shape<convex_polyhedron<T>>(100); }
 
-TEST_CASE_TEMPLATE("bvh: shapes of several types", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: shapes of several types", T, RAIO_NUMBERS) {
     random_numbers random(12);
     const group shapes{random_shapes<triangle<T>>(random, 100), random_shapes<sphere<T>>(random, 100),
                        random_shape<box<T>>::make(random), random_shapes<convex_polyhedron<T>>(random, 30),
@@ -24,7 +24,7 @@ TEST_CASE_TEMPLATE("bvh: shapes of several types", T, float, double) {
     for (const bvh_quality quality : qualities) check_like(bvh{shapes, {.quality = quality}}, shapes, random);
 }
 
-TEST_CASE_TEMPLATE("bvh: trees of trees", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: trees of trees", T, RAIO_NUMBERS) {
     random_numbers random(13);
     std::vector<bvh<triangle<T>>> trees;
     std::vector<group<std::vector<triangle<T>>>> loops;
@@ -36,7 +36,7 @@ TEST_CASE_TEMPLATE("bvh: trees of trees", T, float, double) {
     check_like(bvh{trees}, group{loops}, random);
 }
 
-TEST_CASE_TEMPLATE("bvh: instances of one tree, in a tree", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: instances of one tree, in a tree", T, RAIO_NUMBERS) {
     random_numbers random(17);
     const std::vector<triangle<T>> shapes = random_shapes<triangle<T>>(random, 100);
     const bvh<triangle<T>> tree(shapes);
@@ -71,7 +71,7 @@ void check_aimed(const std::vector<sphere<T>>& shapes, bvh_quality quality) {
     }
 }
 
-TEST_CASE_TEMPLATE("bvh: few shapes, or none", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: few shapes, or none", T, RAIO_NUMBERS) {
     for (const int count : {100, 200, 300, 800, 900, 1700}) check_shape<sphere<T>>(count);
     random_numbers random(18);
     for (const int count : {1, 2, 3, 8, 9, 17}) {  // a tree of one triangle was a bug that others shipped
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("bvh: few shapes, or none", T, float, double) {
     CHECK(!none.bounds().contains({0, 0, 0}));
 }
 
-TEST_CASE_TEMPLATE("bvh: numbers far from 1", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: numbers far from 1", T, RAIO_NUMBERS) {
     random_numbers random(14);
     std::vector<sphere<T>> shapes = random_shapes<sphere<T>>(random, 200);
     const T most = std::same_as<T, float> ? T(0x1p100) : T(0x1p300);
@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("bvh: numbers far from 1", T, float, double) {
     }
 }
 
-TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index", T, RAIO_NUMBERS) {
     std::vector<sphere<T>> shapes(20, sphere<T>{{1, 2, 3}, 1});
     for (const T bad : {std::numeric_limits<T>::quiet_NaN(), infinity<T>}) {
         shapes[17].center.y = bad;
@@ -126,7 +126,7 @@ TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index", T, 
     }
 }
 
-TEST_CASE_TEMPLATE("bvh: shapes all in one place, one within the other, in a row", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: shapes all in one place, one within the other, in a row", T, RAIO_NUMBERS) {
     random_numbers random(15);
     std::vector<sphere<T>> equal(100, sphere<T>{{0, 0, 0}, 4}), nested;
     std::vector<box<T>> flat;
@@ -141,7 +141,7 @@ TEST_CASE_TEMPLATE("bvh: shapes all in one place, one within the other, in a row
     }
 }
 
-TEST_CASE_TEMPLATE("bvh: shapes without a size, an area or a direction are missed, and have bounds", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: shapes without a size, an area or a direction are missed, and have bounds", T, RAIO_NUMBERS) {
     const std::vector<sphere<T>> points(100, sphere<T>{{0, 0, 0}, 0});
     const vec3<T> zero(0);
     const std::vector<disc<T>> discs(100, disc<T>{zero, zero, 1});
@@ -159,7 +159,7 @@ TEST_CASE_TEMPLATE("bvh: shapes without a size, an area or a direction are misse
     }
 }
 
-TEST_CASE_TEMPLATE("bvh: as deep a tree as shapes of ever smaller sizes make, and no stack overrun", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: as deep a tree as shapes of ever smaller sizes make, and no stack overrun", T, RAIO_NUMBERS) {
     std::vector<sphere<T>> shapes;
     for (int i = 0; i < (std::same_as<T, float> ? 100 : 900); ++i) {
         const T size = std::ldexp(T(1), -i);

@@ -52,8 +52,8 @@ void check_lanes_of() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("gathered: what goes into a lane comes out of it, and the packs hold field by field", T, float,
-                   double) {
+TEST_CASE_TEMPLATE("gathered: what goes into a lane comes out of it, and the packs hold field by field", T,
+                   RAIO_NUMBERS) {
     check_lanes_of<sphere<T>, 4>();
     check_lanes_of<triangle<T>, 8>();
     check_lanes_of<cylinder<T>, 4>();

@@ -53,7 +53,7 @@ TEST_CASE("nearest_few, all_hits: sorted by t, then by index; the same crossing 
     }
 }
 
-TEST_CASE_TEMPLATE("for_each_crossing: all of a shape in the window, in order, until it is enough", T, float, double) {
+TEST_CASE_TEMPLATE("for_each_crossing: all of a shape in the window, in order, until it is enough", T, RAIO_NUMBERS) {
     const sphere<T> ball{{0, 0, 0}, 1};
     const auto crossings = [&](const ray<T>& r, T t_min, T t_max, std::size_t enough = 10) {
         std::vector<T> found;

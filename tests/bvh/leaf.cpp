@@ -5,6 +5,8 @@
 #include <raio/shape/convex_polyhedron.hpp>
 #include <raio/shape/sphere.hpp>
 
+#include "support/random.hpp"
+
 namespace raio::test {
 
 static_assert(std::same_as<detail::leaves_of<sphere<float>>, detail::leaf_blocks<sphere<float>>>);
@@ -45,7 +47,7 @@ void check_lanes(std::uint32_t lanes, bool expected) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("judge: what is known of a crossing", T, float, double) {
+TEST_CASE_TEMPLATE("judge: what is known of a crossing", T, RAIO_NUMBERS) {
     using W = pack<T, 4>;
     for (const known_crossing& k : known_crossings) {
         CAPTURE(&k - known_crossings);
@@ -56,7 +58,7 @@ TEST_CASE_TEMPLATE("judge: what is known of a crossing", T, float, double) {
     }
 }
 
-TEST_CASE_TEMPLATE("judge: of a chord the first in the window", T, float, double) {
+TEST_CASE_TEMPLATE("judge: of a chord the first in the window", T, RAIO_NUMBERS) {
     using W = pack<T, 4>;
     for (const known_crossing& near : known_crossings) {
         for (const known_crossing& far : known_crossings) {
@@ -78,8 +80,8 @@ TEST_CASE_TEMPLATE("judge: of a chord the first in the window", T, float, double
     }
 }
 
-TEST_CASE_TEMPLATE("leaf_blocks: shapes with their ids, each once, and nothing in the lanes that are left", T, float,
-                   double) {
+TEST_CASE_TEMPLATE("leaf_blocks: shapes with their ids, each once, and nothing in the lanes that are left", T,
+                   RAIO_NUMBERS) {
     detail::leaf_blocks<sphere<T>> leaves;
     const auto shape_of = [](std::uint32_t id) { return sphere<T>{{0, 0, -T(id)}, T(0.5)}; };
     const detail::leaf_range ranges[] = {{0, 4}, {4, 1}};
@@ -116,7 +118,7 @@ TEST_CASE_TEMPLATE("leaf_blocks: shapes with their ids, each once, and nothing i
     CHECK((unknown.sure == 0 && unknown.open == 3));
 }
 
-TEST_CASE_TEMPLATE("leaf_list: shapes with their ids, one leaf behind the other", T, float, double) {
+TEST_CASE_TEMPLATE("leaf_list: shapes with their ids, one leaf behind the other", T, RAIO_NUMBERS) {
     detail::leaf_list<convex_polyhedron<T>> leaves;
     const auto shape_of = [](std::uint32_t id) {
         return convex_polyhedron<T>{std::vector<half_space<T>>(id, half_space<T>{{1, 0, 0}, 0})};

@@ -3,7 +3,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("bvh: refit follows the shapes", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: refit follows the shapes", T, RAIO_NUMBERS) {
     random_numbers random(17);
     auto shapes = random_shapes<sphere<T>>(random, 300);
     for (const bvh_quality quality : qualities) {
@@ -28,7 +28,7 @@ TEST_CASE_TEMPLATE("bvh: refit follows the shapes", T, float, double) {
     }
 }
 
-TEST_CASE_TEMPLATE("bvh: refit to another scale, and of a tree without shapes", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: refit to another scale, and of a tree without shapes", T, RAIO_NUMBERS) {
     random_numbers random(24);
     auto shapes = random_shapes<sphere<T>>(random, 100);
     bvh tree{shapes};
@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("bvh: refit to another scale, and of a tree without shapes", 
     CHECK(!none.occluded({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>));
 }
 
-TEST_CASE_TEMPLATE("bvh: rays that run nowhere miss, and those beside them do not", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: rays that run nowhere miss, and those beside them do not", T, RAIO_NUMBERS) {
     const std::vector<sphere<T>> shapes(3, sphere<T>{{0, 0, 0}, 1});
     const bvh tree{shapes};
     const ray<T> good{{0, 0, 5}, {0, 0, -1}};
@@ -81,7 +81,7 @@ TEST_CASE_TEMPLATE("bvh: rays that run nowhere miss, and those beside them do no
     CHECK(tree.nearest_hits(good, T(0), infinity<T>, {}) == 0);
 }
 
-TEST_CASE_TEMPLATE("bvh: many rays at once, as each of them alone", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: many rays at once, as each of them alone", T, RAIO_NUMBERS) {
     random_numbers random(23);
     const bvh tree{group{random_shapes<triangle<T>>(random, 300), random_shapes<sphere<T>>(random, 50),
                          random_shapes<convex_polyhedron<T>>(random, 20)}};
@@ -114,7 +114,7 @@ TEST_CASE_TEMPLATE("bvh: many rays at once, as each of them alone", T, float, do
     CHECK(tree.hit(std::span<const ray<T>>(), T(0), infinity<T>, {}) == 0);
 }
 
-TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, RAIO_NUMBERS) {
     random_numbers random(18);
     mesh<T> ball;
     for (const triangle<T>& t : icosphere<triangle<T>>()) {
@@ -158,7 +158,7 @@ TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, 
     CHECK_THROWS_WITH_AS(bvh{ball}, "raio::mesh: triangle 7 has vertex 162 of 162", std::invalid_argument);
 }
 
-TEST_CASE_TEMPLATE("bvh: crossings in order, the nearest few, and a filter", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: crossings in order, the nearest few, and a filter", T, RAIO_NUMBERS) {
     random_numbers random(19);
     const auto shapes = random_shapes<sphere<T>>(random, 200);
     for (const bvh_quality quality : qualities) {

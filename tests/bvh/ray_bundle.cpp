@@ -30,7 +30,7 @@ std::vector<ray<T>> random_bundle(random_numbers& random) {
 
 /// Asked about all children together, and then about each: no ray loses one that it meets, and none that it passes at a
 /// distance is left.
-TEST_CASE_TEMPLATE("ray_bundle: meets what each of its rays meets", T, float, double) {
+TEST_CASE_TEMPLATE("ray_bundle: meets what each of its rays meets", T, RAIO_NUMBERS) {
     random_numbers random(1);
     int bundles = 0, met_by_rays = 0, out_together = 0;
     for (int i = 0; i < 50'000; ++i) {
@@ -86,7 +86,7 @@ TEST_CASE_TEMPLATE("ray_bundle: meets what each of its rays meets", T, float, do
     CHECK(out_together > bundles / 2);
 }
 
-TEST_CASE_TEMPLATE("ray_bundle: boxes may be scaled", T, float, double) {
+TEST_CASE_TEMPLATE("ray_bundle: boxes may be scaled", T, RAIO_NUMBERS) {
     const std::vector<ray<T>> rays{{vec3<T>(0x1p50), vec3<T>(0x1p50)}, {vec3<T>(0x1p51), vec3<T>(0x1p50)}};
     const ray_bundle bundle(std::span<const ray<T>>(rays), T(0x1p-50), random_box_reach);
     wide_node node;
@@ -99,7 +99,7 @@ TEST_CASE_TEMPLATE("ray_bundle: boxes may be scaled", T, float, double) {
     CHECK(bundle.rays_met(node, 0, from, to) == first_bits(ray_bundle::most));
 }
 
-TEST_CASE_TEMPLATE("ray_bundle: a ray of its own is met by the children that each of them meets", T, float, double) {
+TEST_CASE_TEMPLATE("ray_bundle: a ray of its own is met by the children that each of them meets", T, RAIO_NUMBERS) {
     random_numbers random(2);
     for (int i = 0; i < 1000; ++i) {
         const ray<T> r{random_ray<T>(random).origin, vec3<T>(random.direction())};

@@ -71,7 +71,7 @@ mesh<T> some_mesh() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("bvh: eight threads ask one scene of trees, solids and meshes", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: eight threads ask one scene of trees, solids and meshes", T, RAIO_NUMBERS) {
     random_numbers random(30);
     const any_primitive<T> tree = bvh{random_shapes<triangle<T>>(random, 1'000)};
     const any_primitive<T> ball = bvh{some_mesh<T>()};
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("bvh: eight threads ask one scene of trees, solids and meshes
     check_from_eight_threads(bvh{members}, random);
 }
 
-TEST_CASE_TEMPLATE("bvh: a tree that eight threads build answers as one that one thread builds", T, float, double) {
+TEST_CASE_TEMPLATE("bvh: a tree that eight threads build answers as one that one thread builds", T, RAIO_NUMBERS) {
     random_numbers random(31);
     const std::vector<triangle<T>> shapes = random_shapes<triangle<T>>(random, 20'000);
     for (const bvh_quality quality : qualities) {

@@ -39,7 +39,7 @@ TEST_CASE("wide_node: boxes come out as they went in, places without one stay em
 }
 
 /// No child is lost that the ray meets, few are met that it passes at a distance, and no ray enters later than it does.
-TEST_CASE_TEMPLATE("node_ray: meets what the ray meets", T, float, double) {
+TEST_CASE_TEMPLATE("node_ray: meets what the ray meets", T, RAIO_NUMBERS) {
     random_numbers random(2);
     int met_by_ray = 0;
     for (int i = 0; i < 100'000; ++i) {
@@ -72,7 +72,7 @@ TEST_CASE_TEMPLATE("node_ray: meets what the ray meets", T, float, double) {
     CHECK(met_by_ray > 2000);
 }
 
-TEST_CASE_TEMPLATE("node_ray: boxes may be scaled, and t stays", T, float, double) {
+TEST_CASE_TEMPLATE("node_ray: boxes may be scaled, and t stays", T, RAIO_NUMBERS) {
     random_numbers random(3);
     for (int i = 0; i < 1000; ++i) {
         const wide_node node = random_node(random, node_width);

@@ -8,7 +8,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("any_primitive: answers as the primitive does, bit for bit", T, float, double) {
+TEST_CASE_TEMPLATE("any_primitive: answers as the primitive does, bit for bit", T, RAIO_NUMBERS) {
     random_numbers random(19);
     for (int i = 0; i < 10'000; ++i) {
         const probe<sphere<T>> p = random_probe<sphere<T>>(random);
@@ -27,7 +27,7 @@ TEST_CASE_TEMPLATE("any_primitive: answers as the primitive does, bit for bit", 
     }
 }
 
-TEST_CASE_TEMPLATE("any_primitive: under a map the ray keeps its digits", T, float, double) {
+TEST_CASE_TEMPLATE("any_primitive: under a map the ray keeps its digits", T, RAIO_NUMBERS) {
     random_numbers random(20);
     int hits = 0;
     for (int i = 0; i < 2'000; ++i) {
@@ -50,7 +50,7 @@ TEST_CASE_TEMPLATE("any_primitive: under a map the ray keeps its digits", T, flo
     CHECK(hits > 500);
 }
 
-TEST_CASE_TEMPLATE("any_primitive: a scene of all kinds, which share what they hold", T, float, double) {
+TEST_CASE_TEMPLATE("any_primitive: a scene of all kinds, which share what they hold", T, RAIO_NUMBERS) {
     const any_primitive<T> floor = plane<T>{{0, 0, -3}, {0, 0, 1}}, ball = sphere<T>{{0, 0, 0}, 1};
     const group scene{std::vector<any_primitive<T>>{floor, ball, any_primitive<T>(group{ball, floor})}};
     hit_record<T> rec;
@@ -75,7 +75,7 @@ struct homemade {
     }
 };
 
-TEST_CASE_TEMPLATE("any_primitive: of what knows only its own numbers, without bounds", T, float, double) {
+TEST_CASE_TEMPLATE("any_primitive: of what knows only its own numbers, without bounds", T, RAIO_NUMBERS) {
     const any_primitive<T> any = homemade<T>{};
     CHECK(any.bounds().min.x == -infinity<T>);
     hit_record<T> rec;

@@ -35,7 +35,7 @@ void check_case(const char* name, const Solid& solid, const ray<number_t<Solid>>
     CHECK(unsound_fields(rec) == "");
 }
 
-TEST_CASE_TEMPLATE("csg: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("csg: named cases", T, RAIO_NUMBERS) {
     const box<T> cube{{-2, -2, -2}, {2, 2, 2}};
     const sphere<T> ball{{0, 0, 0}, 1}, bite{{2, 0, 0}, 1};
     const ray<T> along{{-9, 0, 0}, {1, 0, 0}}, back{{9, 0, 0}, {-1, 0, 0}};
@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE("csg: named cases", T, float, double) {
                along, {true, 8, true, 1, -1});
 }
 
-TEST_CASE_TEMPLATE("csg: leaves are counted through the tree, a map or a group counts as one", T, float, double) {
+TEST_CASE_TEMPLATE("csg: leaves are counted through the tree, a map or a group counts as one", T, RAIO_NUMBERS) {
     const auto ball = [](T x) { return sphere<T>{{x, 0, 0}, 1}; };
     const auto left = union_of(ball(0), ball(3));
     const auto right = difference_of(ball(6), ball(9));
@@ -161,7 +161,7 @@ void collect_ends(const csg<Operation, A, B>& tree, const ray<T>& ray, std::vect
     collect_ends(tree.b, ray, ends);
 }
 
-TEST_CASE_TEMPLATE("csg: inside is the point-wise Boolean of the leaves", T, float, double) {
+TEST_CASE_TEMPLATE("csg: inside is the point-wise Boolean of the leaves", T, RAIO_NUMBERS) {
     random_numbers random(14);
     random_solids<T> some{random};
     int inside_count = 0;
@@ -182,7 +182,7 @@ TEST_CASE_TEMPLATE("csg: inside is the point-wise Boolean of the leaves", T, flo
     CHECK(inside_count > 1'000);
 }
 
-TEST_CASE_TEMPLATE("csg: hits are the ends of the spans, one after the other, in and out", T, float, double) {
+TEST_CASE_TEMPLATE("csg: hits are the ends of the spans, one after the other, in and out", T, RAIO_NUMBERS) {
     random_numbers random(15);
     random_solids<T> some{random};
     int hits = 0;
@@ -212,7 +212,7 @@ TEST_CASE_TEMPLATE("csg: hits are the ends of the spans, one after the other, in
     CHECK(hits > 3'000);
 }
 
-TEST_CASE_TEMPLATE("csg: the record is that of the leaf, but for side and index", T, float, double) {
+TEST_CASE_TEMPLATE("csg: the record is that of the leaf, but for side and index", T, RAIO_NUMBERS) {
     random_numbers random(16);
     random_solids<T> some{random};
     int flipped = 0;
@@ -232,7 +232,7 @@ TEST_CASE_TEMPLATE("csg: the record is that of the leaf, but for side and index"
     CHECK(flipped > 500);
 }
 
-TEST_CASE_TEMPLATE("csg: laws", T, float, double) {
+TEST_CASE_TEMPLATE("csg: laws", T, RAIO_NUMBERS) {
     random_numbers random(17);
     random_solids<T> some{random};
     const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
@@ -252,7 +252,7 @@ TEST_CASE_TEMPLATE("csg: laws", T, float, double) {
     }
 }
 
-TEST_CASE_TEMPLATE("csg: solids are shared, mapped and grouped like any other", T, float, double) {
+TEST_CASE_TEMPLATE("csg: solids are shared, mapped and grouped like any other", T, RAIO_NUMBERS) {
     const sphere<T> ball{{0, 0, 0}, 1};
     const auto shell = difference_of(&ball, sphere<T>{{0, 0, 0}, T(0.5)});
     CHECK(&*shell.a == &ball);
@@ -266,7 +266,7 @@ TEST_CASE_TEMPLATE("csg: solids are shared, mapped and grouped like any other", 
     CHECK((shell.bounds().contains({T(0.9), 0, 0}) && !shell.bounds().contains({T(1.1), 0, 0})));
 }
 
-TEST_CASE_TEMPLATE("csg: a tree that is built while the program runs", T, float, double) {
+TEST_CASE_TEMPLATE("csg: a tree that is built while the program runs", T, RAIO_NUMBERS) {
     random_numbers random(18);
     random_solids<T> some{random};
     for (int i = 0; i < 500; ++i) {

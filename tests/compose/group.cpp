@@ -15,7 +15,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("group: the nearest is hit, and counted through all members", T, float, double) {
+TEST_CASE_TEMPLATE("group: the nearest is hit, and counted through all members", T, RAIO_NUMBERS) {
     const plane<T> floor{{0, 0, -9}, {0, 0, 1}};
     const std::vector<sphere<T>> spheres{{{0, 0, 0}, 1}, {{5, 0, 0}, 1}, {{0, 0, 3}, 1}};
     const std::array<box<T>, 2> boxes{{{{4, -1, -1}, {6, 1, 3}}, {{-6, -1, -1}, {-4, 1, 1}}}};
@@ -38,7 +38,7 @@ TEST_CASE_TEMPLATE("group: the nearest is hit, and counted through all members",
     }
 }
 
-TEST_CASE_TEMPLATE("group: of equally near ones the first", T, float, double) {
+TEST_CASE_TEMPLATE("group: of equally near ones the first", T, RAIO_NUMBERS) {
     const sphere<T> sphere{{0, 0, 0}, 1};
     const box<T> box{{-1, -1, -1}, {1, 1, 1}};
     const ray<T> down{{0, 0, 5}, {0, 0, -1}};
@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE("group: of equally near ones the first", T, float, double) {
     CHECK(rec.index == 0);
 }
 
-TEST_CASE_TEMPLATE("group: a miss touches nothing", T, float, double) {
+TEST_CASE_TEMPLATE("group: a miss touches nothing", T, RAIO_NUMBERS) {
     const group scene{sphere<T>{{0, 0, 0}, 1}, std::vector<box<T>>{}};
     const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
     hit_record<T> rec{7, vec3<T>(7), vec3<T>(7), vec2<T>(7), vec3<T>(7), 7, true};
@@ -63,7 +63,7 @@ TEST_CASE_TEMPLATE("group: a miss touches nothing", T, float, double) {
     CHECK((rec.t == T(7) && rec.point == vec3<T>(7) && rec.index == 7 && rec.front_face && rec.error == vec3<T>(7)));
 }
 
-TEST_CASE_TEMPLATE("group: without members nothing is hit", T, float, double) {
+TEST_CASE_TEMPLATE("group: without members nothing is hit", T, RAIO_NUMBERS) {
     const group scene{std::vector<sphere<T>>{}, std::span<const box<T>>{}};
     hit_record<T> rec;
     CHECK(!scene.hit({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("group: without members nothing is hit", T, float, double) {
     CHECK(!scene.bounds().contains({0, 0, 0}));
 }
 
-TEST_CASE_TEMPLATE("group: a group within it counts as one, and keeps to its window", T, float, double) {
+TEST_CASE_TEMPLATE("group: a group within it counts as one, and keeps to its window", T, RAIO_NUMBERS) {
     const group<std::vector<sphere<T>>> inner{std::vector<sphere<T>>{{{0, 0, 0}, 1}, {{0, 0, 4}, 1}}};
     const group scene{sphere<T>{{0, 0, -9}, 1}, inner, std::vector(2, inner)};
     hit_record<T> rec;
@@ -81,13 +81,13 @@ TEST_CASE_TEMPLATE("group: a group within it counts as one, and keeps to its win
     CHECK((rec.t == T(17) && rec.index == 0));
 }
 
-TEST_CASE_TEMPLATE("group: bounds hold every member", T, float, double) {
+TEST_CASE_TEMPLATE("group: bounds hold every member", T, RAIO_NUMBERS) {
     const aabb<T> bounds = group{sphere<T>{{-5, 0, 0}, 1}, std::vector<box<T>>{{{0, 0, 0}, {1, 2, 3}}}}.bounds();
     CHECK((bounds.contains({-6, -1, -1}) && bounds.contains({1, 2, 3})));
     CHECK((!bounds.contains({T(-6.01), 0, 0}) && !bounds.contains({0, 0, T(3.01)})));
 }
 
-TEST_CASE_TEMPLATE("group: inside is inside any of its members", T, float, double) {
+TEST_CASE_TEMPLATE("group: inside is inside any of its members", T, RAIO_NUMBERS) {
     const std::vector<sphere<T>> spheres{{{0, 0, 0}, 1}, {{0, 0, 6}, 1}, {{0, 0, T(0.5)}, 1}};
     const group scene{box<T>{{-1, -1, 3}, {1, 1, 5}}, spheres};
     auto inside = scene.spans({{0, 0, -9}, {0, 0, 1}});
@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("group: inside is inside any of its members", T, float, doubl
     static_assert(solid<decltype(scene)> && !solid<group<sphere<T>, triangle<T>>>);
 }
 
-TEST_CASE_TEMPLATE("group: as the loop over its members", T, float, double) {
+TEST_CASE_TEMPLATE("group: as the loop over its members", T, RAIO_NUMBERS) {
     random_numbers random(9);
     const auto anywhere = [&] { return vec3<T>(random.direction() * random.uniform(0, 10)); };
     std::vector<sphere<T>> spheres;

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "support/random.hpp"
+
 namespace raio::test {
 
 namespace {
@@ -14,7 +16,7 @@ mesh<T> square() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("mesh: the nearest triangle is hit, of equally near ones the first", T, float, double) {
+TEST_CASE_TEMPLATE("mesh: the nearest triangle is hit, of equally near ones the first", T, RAIO_NUMBERS) {
     const mesh<T> m = square<T>();
     struct expected {
         vec2<T> at;
@@ -33,7 +35,7 @@ TEST_CASE_TEMPLATE("mesh: the nearest triangle is hit, of equally near ones the 
     CHECK((m.bounds().contains({1, 1, 0}) && !m.bounds().contains({1, 1, T(0.01)})));
 }
 
-TEST_CASE_TEMPLATE("mesh: what the vertices have is interpolated", T, float, double) {
+TEST_CASE_TEMPLATE("mesh: what the vertices have is interpolated", T, RAIO_NUMBERS) {
     mesh<T> m = square<T>();
     hit_record<T> above, below;
     REQUIRE(m.hit({{0.75, 0.25, 2}, {0, 0, -1}}, T(0), infinity<T>, above));
@@ -47,7 +49,7 @@ TEST_CASE_TEMPLATE("mesh: what the vertices have is interpolated", T, float, dou
     CHECK(m.uv_at(above) == vec2<T>(1.5, 1));
 }
 
-TEST_CASE_TEMPLATE("mesh: what does not fit together is refused", T, float, double) {
+TEST_CASE_TEMPLATE("mesh: what does not fit together is refused", T, RAIO_NUMBERS) {
     mesh<T> m = square<T>();
     CHECK_NOTHROW(m.check());
     m.triangles[1][2] = 4;

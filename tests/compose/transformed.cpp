@@ -119,7 +119,7 @@ void check_image_cases(const std::vector<named_case<posed<P>>>& cases) {
     }
 }
 
-TEST_CASE_TEMPLATE("transformed: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("transformed: named cases", T, RAIO_NUMBERS) {
     const sphere<T> unit{{0, 0, 0}, 1};
     const triangle<T> front{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
     const ray<T> ahead{{0, 0, 9}, {0, 0, -1}};
@@ -159,7 +159,7 @@ TEST_CASE_TEMPLATE("transformed: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("transformed: normals under uneven scale go by the inverse transpose", T, float, double) {
+TEST_CASE_TEMPLATE("transformed: normals under uneven scale go by the inverse transpose", T, RAIO_NUMBERS) {
     const T eps = std::numeric_limits<T>::epsilon();
     const transformed ellipsoid{sphere<T>{{0, 0, 0}, 1}, scaling<T>({4, 1, 1})};
     hit_record<T> rec;
@@ -173,7 +173,7 @@ TEST_CASE_TEMPLATE("transformed: normals under uneven scale go by the inverse tr
     CHECK(length(vec3<T>(rec.normal - vec3<T>(std::sqrt(T(0.5)), std::sqrt(T(0.5)), 0))) < 4 * eps);
 }
 
-TEST_CASE_TEMPLATE("transformed: uv, index and side are the primitive's", T, float, double) {
+TEST_CASE_TEMPLATE("transformed: uv, index and side are the primitive's", T, RAIO_NUMBERS) {
     const group pair{sphere<T>{{-2, 0, 0}, 1}, box<T>{{1, -1, -1}, {3, 1, 1}}};
     const transformed moved{pair, translation<T>({0, 0, 5}) * scaling<T>({2, 2, 2})};
     hit_record<T> rec, own;
@@ -183,7 +183,7 @@ TEST_CASE_TEMPLATE("transformed: uv, index and side are the primitive's", T, flo
     CHECK(!moved.hit({{5, 3, 20}, {0, 0, -4}}, T(0), infinity<T>, rec));
 }
 
-TEST_CASE_TEMPLATE("transformed: an instance shares its primitive", T, float, double) {
+TEST_CASE_TEMPLATE("transformed: an instance shares its primitive", T, RAIO_NUMBERS) {
     const auto shared = std::make_shared<const sphere<T>>(sphere<T>{{1, 0, 0}, 1});
     const sphere<T> own = *shared;
     const transform<T> map = translation<T>({0, 0, 3}) * rotation<T>({1, 2, 3}, 1);
@@ -203,7 +203,7 @@ TEST_CASE_TEMPLATE("transformed: an instance shares its primitive", T, float, do
     CHECK((bounded<decltype(both)> && both.bounds().min.x < 0));
 }
 
-TEST_CASE_TEMPLATE("transformed: maps one after the other are their product", T, float, double) {
+TEST_CASE_TEMPLATE("transformed: maps one after the other are their product", T, RAIO_NUMBERS) {
     const transform<T> a = translation<T>({1, 2, 3}) * scaling<T>({1, -2, 4}), b{{0, 2, 0}, {-1, 0, 0}, {0, 1, 1}};
     const transformed twice{transformed{sphere<T>{{0, 0, 0}, 1}, b}, a};
     const transformed once{sphere<T>{{0, 0, 0}, 1}, a * b};
@@ -220,7 +220,7 @@ TEST_CASE_TEMPLATE("transformed: maps one after the other are their product", T,
     CHECK(hits > 100);
 }
 
-TEST_CASE_TEMPLATE("transformed: bounds of what has no end, or nothing in it", T, float, double) {
+TEST_CASE_TEMPLATE("transformed: bounds of what has no end, or nothing in it", T, RAIO_NUMBERS) {
     const transform<T> turn = rotation<T>({0, 0, 1}, T(0.5));
     const aabb<T> endless = transformed{plane<T>{{0, 0, 0}, {0, 0, 1}}, turn}.bounds();
     CHECK((endless.contains({T(1e30), T(-1e30), 0}) && endless.min.z == -infinity<T>));
@@ -228,12 +228,12 @@ TEST_CASE_TEMPLATE("transformed: bounds of what has no end, or nothing in it", T
     CHECK(!nothing.contains({0, 0, 0}));
 }
 
-TEST_CASE_TEMPLATE("transformed: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("transformed: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<posed<sphere<T>>>();
     check_properties<posed<triangle<T>>>();
 }
 
-TEST_CASE_TEMPLATE("transformed: the mapped ray is right to 2^-50, or 2^-98 for double", T, float, double) {
+TEST_CASE_TEMPLATE("transformed: the mapped ray is right to 2^-50, or 2^-98 for double", T, RAIO_NUMBERS) {
     for_random_probes<posed<sphere<T>>>("mapped ray", 10'000, [](const auto& p, auto&) -> std::string {
         const transform<oracle> map = converted<oracle>(p.shape.map);
         const linear_inverse<oracle> inverse(map);
@@ -327,7 +327,7 @@ void check_image() {
     CHECK(grazing < hits / 4);  // mostly rays from the surface itself, whose t is next to nothing
 }
 
-TEST_CASE_TEMPLATE("transformed: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("transformed: as exact arithmetic", T, RAIO_NUMBERS) {
     check_image<sphere<T>>();
     check_image<triangle<T>>();
 }

@@ -7,7 +7,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("turns: named angles", T, float, double) {
+TEST_CASE_TEMPLATE("turns: named angles", T, RAIO_NUMBERS) {
     const T zero(0), one(1), tiny = std::numeric_limits<T>::min();
     CHECK(turns(zero, one) == T(0));
     CHECK(turns(one, one) == doctest::Approx(0.125));
@@ -24,7 +24,7 @@ TEST_CASE_TEMPLATE("turns: named angles", T, float, double) {
     CHECK(turns(T(1e-30), T(-1e-30)) == doctest::Approx(0.375));
 }
 
-TEST_CASE_TEMPLATE("latitude: named angles", T, float, double) {
+TEST_CASE_TEMPLATE("latitude: named angles", T, RAIO_NUMBERS) {
     const T zero(0), one(1);
     CHECK(latitude(-one, zero) == T(0));
     CHECK(latitude(zero, one) == T(0.5));
@@ -34,7 +34,7 @@ TEST_CASE_TEMPLATE("latitude: named angles", T, float, double) {
     CHECK(latitude(-one, one) == doctest::Approx(0.25));
 }
 
-TEST_CASE_TEMPLATE("turns and latitude: in range, and as exact as they say", T, float, double) {
+TEST_CASE_TEMPLATE("turns and latitude: in range, and as exact as they say", T, RAIO_NUMBERS) {
     random_numbers random(6);
     const double pi = std::numbers::pi, tolerance = sizeof(T) == 4 ? 1e-7 : 1e-15;
     for (int i = 0; i < 100'000; ++i) {

@@ -24,7 +24,7 @@ static_assert(any(true) && all(true) && !none(true) && !any(false) && !all(false
 static_assert(min(1.0, 2.0) == 1 && max(1.0, 2.0) == 2 && min(2.0f, 1.0f) == 1 && max(2.0f, 1.0f) == 2);
 static_assert(quotient(6.0, 3.0, 7.0) == 2 && quotient(6.0, 0.0, 7.0) == 7 && quotient(6.0, -0.0, 7.0) == 7);
 
-TEST_CASE_TEMPLATE("is_finite: neither infinite nor NaN", T, float, double) {
+TEST_CASE_TEMPLATE("is_finite: neither infinite nor NaN", T, RAIO_NUMBERS) {
     CHECK(is_finite(std::numeric_limits<T>::max()));
     CHECK(is_finite(-std::numeric_limits<T>::denorm_min()));
     CHECK(!is_finite(infinity<T>));

@@ -12,7 +12,7 @@ bool same(const transform<T>& a, const transform<T>& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.origin == b.origin;
 }
 
-TEST_CASE_TEMPLATE("transform: where points and vectors go", T, float, double) {
+TEST_CASE_TEMPLATE("transform: where points and vectors go", T, RAIO_NUMBERS) {
     const vec3<T> p(1, 2, 3);
     CHECK(transform<T>{}.point(p) == p);
     CHECK(translation<T>({5, 6, 7}).point(p) == vec3<T>(6, 8, 10));
@@ -23,7 +23,7 @@ TEST_CASE_TEMPLATE("transform: where points and vectors go", T, float, double) {
     CHECK(shear.vector(p) == vec3<T>(9, 2, 3));
 }
 
-TEST_CASE_TEMPLATE("transform: the right factor goes first", T, float, double) {
+TEST_CASE_TEMPLATE("transform: the right factor goes first", T, RAIO_NUMBERS) {
     const transform<T> move = translation<T>({1, 2, 3}), grow = scaling<T>({2, 3, 4});
     CHECK((move * grow).point({1, 1, 1}) == vec3<T>(3, 5, 7));
     CHECK((grow * move).point({1, 1, 1}) == vec3<T>(4, 9, 16));
@@ -31,7 +31,7 @@ TEST_CASE_TEMPLATE("transform: the right factor goes first", T, float, double) {
     CHECK(same(transform<T>{} * grow, grow));
 }
 
-TEST_CASE_TEMPLATE("rotation: counter-clockwise about an axis of any length", T, float, double) {
+TEST_CASE_TEMPLATE("rotation: counter-clockwise about an axis of any length", T, RAIO_NUMBERS) {
     const T eps = std::numeric_limits<T>::epsilon(), quarter = static_cast<T>(std::numbers::pi / 2);
     const auto close = [&](const vec3<T>& a, const vec3<T>& b) { return length(vec3<T>(a - b)) < 4 * eps * length(b); };
     CHECK(close(rotation<T>({0, 0, 9}, quarter).point({1, 0, 0}), {0, 1, 0}));
@@ -41,7 +41,7 @@ TEST_CASE_TEMPLATE("rotation: counter-clockwise about an axis of any length", T,
     CHECK(same(rotation<T>({1, 2, 3}, 0), transform<T>{}));
 }
 
-TEST_CASE_TEMPLATE("linear_inverse: as in 50 digits", T, float, double) {
+TEST_CASE_TEMPLATE("linear_inverse: as in 50 digits", T, RAIO_NUMBERS) {
     using W = wider_t<T>;
     random_numbers random(11);
     for (int i = 0; i < 1000; ++i) {
@@ -63,7 +63,7 @@ TEST_CASE_TEMPLATE("linear_inverse: as in 50 digits", T, float, double) {
     }
 }
 
-TEST_CASE_TEMPLATE("linear_inverse: there and back, and sideways for normals", T, float, double) {
+TEST_CASE_TEMPLATE("linear_inverse: there and back, and sideways for normals", T, RAIO_NUMBERS) {
     const transform<T> shear{{1, 0, 0}, {4, 2, 0}, {0, 0, -8}};
     const linear_inverse<T> inverse(shear);
     CHECK(inverse(shear.vector({1, 2, 3})) == vec3<T>(1, 2, 3));
@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("linear_inverse: there and back, and sideways for normals", T
     CHECK(inverse.transposed({0, 0, 1}) == vec3<T>(0, 0, T(-0.125)));
 }
 
-TEST_CASE_TEMPLATE("linear_inverse: a singular map has none", T, float, double) {
+TEST_CASE_TEMPLATE("linear_inverse: a singular map has none", T, RAIO_NUMBERS) {
     for (const transform<T>& flat : {scaling<T>({1, 0, 1}), transform<T>{{1, 2, 3}, {2, 4, 6}, {0, 0, 1}}}) {
         CHECK(linear_inverse<T>(flat)({1, 2, 3}) == vec3<T>(0));
     }

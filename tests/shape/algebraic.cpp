@@ -55,7 +55,7 @@ struct subject<algebraic<T, Degree, Closed>> : boxed_subject<algebraic<T, Degree
     }
 };
 
-TEST_CASE_TEMPLATE("algebraic: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("algebraic: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     using shape = algebraic<T, 8>;
     const auto in_box = [](std::vector<algebraic_term<T>> terms) { return shape{{-3, -3, -3}, {3, 3, 3}, terms}; };
@@ -128,7 +128,7 @@ TEST_CASE_TEMPLATE("algebraic: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("open_algebraic: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("open_algebraic: named cases", T, RAIO_NUMBERS) {
     using shape = open_algebraic<T, 4>;
     const shape saddle{{-1, -1, -1}, {1, 1, 1}, {{1, 2, 0, 0}, {-1, 0, 2, 0}, {-1, 0, 0, 1}}};  // below z = x^2 - y^2
     const shape tube{{-3, -3, -3}, {3, 3, 3}, {{1, 2, 0, 0}, {1, 0, 2, 0}, {-4, 0, 0, 0}}};
@@ -149,13 +149,13 @@ TEST_CASE_TEMPLATE("open_algebraic: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("algebraic: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("algebraic: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<algebraic<T, 4>>();
     check_properties<open_algebraic<T, 4>>();
 }
 
 // What a ray in 50 digits costs grows with the square of the degree: the higher it is, the fewer there are.
-TEST_CASE_TEMPLATE("algebraic: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("algebraic: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<algebraic<T, 4>>();
     check_accuracy<algebraic<T, 4>>(normal_run / 2);
     check_accuracy<algebraic<T, 3>>(normal_run / 10, 1.0 / 200);
@@ -163,13 +163,13 @@ TEST_CASE_TEMPLATE("algebraic: as exact arithmetic", T, float, double) {
     check_bounds_of_errors<algebraic<T, 4>>(normal_run / 10, 0.7);  // faces of the box are not refined
 }
 
-TEST_CASE_TEMPLATE("open_algebraic: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("open_algebraic: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<open_algebraic<T, 3>>();
     check_accuracy<open_algebraic<T, 3>>(normal_run / 5, 1.0 / 200);
     check_bounds_of_errors<open_algebraic<T, 3>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("algebraic: normal along the gradient, against the ray where there is none", T, float, double) {
+TEST_CASE_TEMPLATE("algebraic: normal along the gradient, against the ray where there is none", T, RAIO_NUMBERS) {
     const T slack = 8 * std::numeric_limits<T>::epsilon();
     const algebraic<T, 2> ball{{-3, -3, -3}, {3, 3, 3}, {{1, 2, 0, 0}, {1, 0, 2, 0}, {1, 0, 0, 2}, {-4, 0, 0, 0}}};
     const algebraic<T, 2> cone{{-3, -3, -3}, {3, 3, 3}, {{1, 2, 0, 0}, {1, 0, 2, 0}, {-1, 0, 0, 2}}};
@@ -186,7 +186,7 @@ TEST_CASE_TEMPLATE("algebraic: normal along the gradient, against the ray where 
     }
 }
 
-TEST_CASE_TEMPLATE("algebraic: uv is the place in the box", T, float, double) {
+TEST_CASE_TEMPLATE("algebraic: uv is the place in the box", T, RAIO_NUMBERS) {
     const algebraic<T, 2> ball{{-2, -4, -2}, {2, 4, 1}, {{1, 2, 0, 0}, {1, 0, 2, 0}, {1, 0, 0, 2}, {-3, 0, 0, 0}}};
     const auto uv = [&](const ray<T>& ray) {
         hit_record<T> rec;
@@ -199,7 +199,7 @@ TEST_CASE_TEMPLATE("algebraic: uv is the place in the box", T, float, double) {
     CHECK(uv({{1, -1, 5}, {0, 0, -1}}) == vec2<T>(0.75, 0.375));
 }
 
-TEST_CASE_TEMPLATE("algebraic: all crossings", T, float, double) {
+TEST_CASE_TEMPLATE("algebraic: all crossings", T, RAIO_NUMBERS) {
     const algebraic<T, 4> slabs{{-3, -3, -3}, {3, 3, 3}, {{-1, 4, 0, 0}, {5, 2, 0, 0}, {-4, 0, 0, 0}}};
     const auto inside = slabs.spans({{-5, 0, 0}, {1, 0, 0}});
     REQUIRE(inside.count == 3);
@@ -219,8 +219,8 @@ TEST_CASE("algebraic: the derivatives of t, by a number that carries them along"
     CHECK(rec.t.slope[1] == doctest::Approx(1));
 }
 
-TEST_CASE_TEMPLATE("algebraic: as exact arithmetic, a million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("algebraic: as exact arithmetic, a million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<algebraic<T, 4>>(nightly_run / 10);
     check_accuracy<algebraic<T, 8>>(nightly_run / 10);
     check_accuracy<open_algebraic<T, 3>>(nightly_run / 10, 1.0 / 200);

@@ -105,7 +105,7 @@ struct subject<bezier_curve<T>> {
     }
 };
 
-TEST_CASE_TEMPLATE("bezier_curve: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("bezier_curve: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const auto of_radius = [](const vec3<T>& a, const vec3<T>& b, const vec3<T>& c, const vec3<T>& d, T r) {
         return bezier_curve<T>{a, b, c, d, r, r, r, r};
@@ -163,16 +163,16 @@ TEST_CASE_TEMPLATE("bezier_curve: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("bezier_curve: properties of every shape", T, float, double) { check_properties<bezier_curve<T>>(); }
+TEST_CASE_TEMPLATE("bezier_curve: properties of every shape", T, RAIO_NUMBERS) { check_properties<bezier_curve<T>>(); }
 
-TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<bezier_curve<T>>();
     check_accuracy<bezier_curve<T>>(normal_run / 20,
                                     4e-3);  // one in 24 rays is aimed at an end, and some of these are tips
     check_bounds_of_errors<bezier_curve<T>>(normal_run / 50);
 }
 
-TEST_CASE_TEMPLATE("bezier_curve: one that is straight is a round cone", T, float, double) {
+TEST_CASE_TEMPLATE("bezier_curve: one that is straight is a round cone", T, RAIO_NUMBERS) {
     random_numbers random(41);
     int hits = 0;
     for (int i = 0; i < normal_run / 10; ++i) {
@@ -194,7 +194,7 @@ TEST_CASE_TEMPLATE("bezier_curve: one that is straight is a round cone", T, floa
     CHECK(hits > normal_run / 40);
 }
 
-TEST_CASE_TEMPLATE("bezier_curve: uv", T, float, double) {
+TEST_CASE_TEMPLATE("bezier_curve: uv", T, RAIO_NUMBERS) {
     const bezier_curve<T> curve{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}, 1, 1, 1, 1};
     const auto uv = [&](const vec3<T>& origin, const vec3<T>& direction) {
         hit_record<T> rec;
@@ -208,8 +208,8 @@ TEST_CASE_TEMPLATE("bezier_curve: uv", T, float, double) {
     CHECK(uv({0, 0, 9}, {0, 0, -1}).y == T(1));
 }
 
-TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic, half a million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic, half a million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<bezier_curve<T>>(nightly_run / 20, 4e-3);
 }
 

@@ -93,7 +93,7 @@ struct subject<bilinear_patch<T>> {
     }
 };
 
-TEST_CASE_TEMPLATE("bilinear_patch: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("bilinear_patch: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     // The saddle z = x y; a flat square; a flat quadrilateral; one with the edge u = 0 in a corner; a folded one.
     const bilinear_patch<T> saddle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}};
@@ -163,17 +163,17 @@ TEST_CASE_TEMPLATE("bilinear_patch: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("bilinear_patch: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("bilinear_patch: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<bilinear_patch<T>>();
 }
 
-TEST_CASE_TEMPLATE("bilinear_patch: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("bilinear_patch: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<bilinear_patch<T>>();
     check_accuracy<bilinear_patch<T>>(normal_run);
     check_bounds_of_errors<bilinear_patch<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("bilinear_patch: uv", T, float, double) {
+TEST_CASE_TEMPLATE("bilinear_patch: uv", T, RAIO_NUMBERS) {
     const auto uv = [](const bilinear_patch<T>& patch, T x, T y) {
         hit_record<T> rec;
         REQUIRE(patch.hit({{x, y, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
@@ -191,7 +191,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: uv", T, float, double) {
 }
 
 TEST_CASE_TEMPLATE("bilinear_patch: in a corner without an edge a flat patch has the plane's normal, on both sides", T,
-                   float, double) {
+                   RAIO_NUMBERS) {
     const vec3<T> a(0, 0, 0), c(1, 1, 0), d(0, 1, 0);
     for (const bilinear_patch<T>& patch : {bilinear_patch<T>{a, a, d, c}, bilinear_patch<T>{a, a, c, d}}) {
         for (const T side : {T(1), T(-1)}) {
@@ -226,7 +226,7 @@ std::vector<bilinear_patch<T>> crooked_cube(random_numbers& random) {
     return faces;
 }
 
-TEST_CASE_TEMPLATE("bilinear_patch: no ray leaves a closed surface unseen", T, float, double) {
+TEST_CASE_TEMPLATE("bilinear_patch: no ray leaves a closed surface unseen", T, RAIO_NUMBERS) {
     random_numbers random(13);
     int leaks = 0;
     for (int i = 0; i < normal_run / 5; ++i) {
@@ -243,8 +243,8 @@ TEST_CASE_TEMPLATE("bilinear_patch: no ray leaves a closed surface unseen", T, f
     CHECK(leaks == 0);
 }
 
-TEST_CASE_TEMPLATE("bilinear_patch: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("bilinear_patch: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<bilinear_patch<T>>(nightly_run);
 }
 

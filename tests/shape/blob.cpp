@@ -63,7 +63,7 @@ struct subject<blob<T>> {
     }
 };
 
-TEST_CASE_TEMPLATE("blob: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("blob: named cases", T, RAIO_NUMBERS) {
     // Where 1 - d^2 / 4 is 3/4, d is 1.
     const T threshold = T(0.5625);
     const auto at = [](T x, T strength = 1) { return metaball<T>{{x, 0, 0}, 2, strength}; };
@@ -118,15 +118,15 @@ TEST_CASE_TEMPLATE("blob: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("blob: properties of every shape", T, float, double) { check_properties<blob<T>>(); }
+TEST_CASE_TEMPLATE("blob: properties of every shape", T, RAIO_NUMBERS) { check_properties<blob<T>>(); }
 
-TEST_CASE_TEMPLATE("blob: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("blob: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<blob<T>>();
     check_accuracy<blob<T>>(normal_run / 5);
     check_bounds_of_errors<blob<T>>(normal_run / 20);
 }
 
-TEST_CASE_TEMPLATE("blob: uv and normal", T, float, double) {
+TEST_CASE_TEMPLATE("blob: uv and normal", T, RAIO_NUMBERS) {
     const blob<T> ball{{{{{1, 1, 1}, 2}}}, T(0.5625)};
     hit_record<T> rec;
     REQUIRE(ball.hit({{1, 1, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
@@ -138,7 +138,7 @@ TEST_CASE_TEMPLATE("blob: uv and normal", T, float, double) {
     CHECK(rec.normal == vec3<T>(1, 0, 0));
 }
 
-TEST_CASE_TEMPLATE("blob: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+TEST_CASE_TEMPLATE("blob: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<blob<T>>(nightly_run);
 }
 

@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("box: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("box: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const box<T> cube{{-1, -1, -1}, {1, 1, 1}}, unit{{0, 0, 0}, {1, 1, 1}};
     const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
@@ -65,15 +65,15 @@ TEST_CASE_TEMPLATE("box: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("box: properties of every shape", T, float, double) { check_properties<box<T>>(); }
+TEST_CASE_TEMPLATE("box: properties of every shape", T, RAIO_NUMBERS) { check_properties<box<T>>(); }
 
-TEST_CASE_TEMPLATE("box: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("box: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<box<T>>();
     check_accuracy<box<T>>(normal_run);
     check_bounds_of_errors<box<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const box<T> bar{{0, 0, 0}, {1, 2, 4}};
     CHECK(bar.area() == T(28));
     const auto to_square = [](const hit_record<T>& rec) { return rec.uv; };
@@ -94,7 +94,7 @@ TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, float, dou
     CHECK(chi_square(counts, by_area) < 5 + 5 * std::sqrt(2 * 5.0));
 }
 
-TEST_CASE_TEMPLATE("box: uv, and the point exactly on the face", T, float, double) {
+TEST_CASE_TEMPLATE("box: uv, and the point exactly on the face", T, RAIO_NUMBERS) {
     const box<T> bar{{0, 0, 0}, {1, 2, 4}};
     hit_record<T> rec;
     REQUIRE(bar.hit({{T(0.25), T(1.5), 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
@@ -107,7 +107,7 @@ TEST_CASE_TEMPLATE("box: uv, and the point exactly on the face", T, float, doubl
     CHECK((rec.point.y == T(0) && rec.error.y == T(0)));
 }
 
-TEST_CASE_TEMPLATE("box: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+TEST_CASE_TEMPLATE("box: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<box<T>>(nightly_run);
 }
 

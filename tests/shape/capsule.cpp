@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("capsule: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("capsule: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const capsule<T> unit{{0, -1, 0}, {0, 1, 0}, 1}, wide{{0, 0, 0}, {0, 0, 4}, 5};
     const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
@@ -45,22 +45,22 @@ TEST_CASE_TEMPLATE("capsule: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("capsule: properties of every shape", T, float, double) { check_properties<capsule<T>>(); }
+TEST_CASE_TEMPLATE("capsule: properties of every shape", T, RAIO_NUMBERS) { check_properties<capsule<T>>(); }
 
-TEST_CASE_TEMPLATE("capsule: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("capsule: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<capsule<T>>();
     check_accuracy<capsule<T>>(normal_run);
     check_bounds_of_errors<capsule<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("capsule: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("capsule: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const capsule<T> pill{{1, 2, 3}, {3, 3, 5}, 2};  // 3 + 2 * 2 high
     CHECK(pill.area() == doctest::Approx(28 * std::numbers::pi));
     check_sampling(pill, [](const hit_record<T>& rec) { return rec.uv; });
     check_sampling(capsule<T>{{1, 2, 3}, {1, 2, 3}, 2}, [](const hit_record<T>& rec) { return rec.uv; });
 }
 
-TEST_CASE_TEMPLATE("capsule: uv", T, float, double) {
+TEST_CASE_TEMPLATE("capsule: uv", T, RAIO_NUMBERS) {
     const capsule<T> pill{{0, 0, 0}, {0, 0, 2}, 1};
     const auto v = [&](const ray<T>& ray) {
         hit_record<T> rec;
@@ -74,8 +74,8 @@ TEST_CASE_TEMPLATE("capsule: uv", T, float, double) {
     CHECK(v({{0, 0, 9}, {0, 0, -1}}) == T(1));
 }
 
-TEST_CASE_TEMPLATE("capsule: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("capsule: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<capsule<T>>(nightly_run);
 }
 

@@ -7,7 +7,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("cone: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("cone: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const cone<T> hat{{0, 0, 0}, {0, 2, 0}, 2}, steep{{0, 0, 0}, {0, 4, 0}, 1};  // hat: 45 degrees
     const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
@@ -64,15 +64,15 @@ TEST_CASE_TEMPLATE("cone: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("cone: properties of every shape", T, float, double) { check_properties<cone<T>>(); }
+TEST_CASE_TEMPLATE("cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<cone<T>>(); }
 
-TEST_CASE_TEMPLATE("cone: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<cone<T>>();
     check_accuracy<cone<T>>(normal_run / 2);
     check_bounds_of_errors<cone<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("open_cone: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("open_cone: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const open_cone<T> hat{{0, 0, 0}, {0, 2, 0}, 2};
     const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
@@ -100,14 +100,14 @@ TEST_CASE_TEMPLATE("open_cone: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("open_cone: properties of every shape", T, float, double) { check_properties<open_cone<T>>(); }
+TEST_CASE_TEMPLATE("open_cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<open_cone<T>>(); }
 
-TEST_CASE_TEMPLATE("open_cone: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("open_cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_cone<T>>(normal_run / 2, 1.0 / 200);
     check_bounds_of_errors<open_cone<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("cone: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("cone: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     // The axis is 3 long, the generators 5: the side measures 20, the base 16, times pi.
     const cone<T> hat{{1, 2, 3}, {3, 3, 5}, 4};
     CHECK(hat.area() == doctest::Approx(36 * std::numbers::pi));
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("cone: area, and samples spread evenly over it", T, float, do
                    [](const hit_record<T>& rec) { return vec2<T>(rec.uv.x, 1 - (1 - rec.uv.y) * (1 - rec.uv.y)); });
 }
 
-TEST_CASE_TEMPLATE("cone: uv, and the normal of the apex", T, float, double) {
+TEST_CASE_TEMPLATE("cone: uv, and the normal of the apex", T, RAIO_NUMBERS) {
     const cone<T> hat{{0, 0, 0}, {0, 0, 2}, 2};
     const auto hit = [&](const ray<T>& ray) {
         hit_record<T> rec;
@@ -147,12 +147,12 @@ TEST_CASE("cone: the derivatives of t, by a number that carries them along") {
     CHECK(rec.t.slope[2] == doctest::Approx(1));
 }
 
-TEST_CASE_TEMPLATE("cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+TEST_CASE_TEMPLATE("cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<cone<T>>(nightly_run);
 }
 
-TEST_CASE_TEMPLATE("open_cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("open_cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<open_cone<T>>(nightly_run, 1.0 / 200);
 }
 

@@ -15,7 +15,7 @@ std::vector<half_space<T>> cube_and(std::vector<half_space<T>> more) {
     return more;
 }
 
-TEST_CASE_TEMPLATE("convex_polyhedron: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("convex_polyhedron: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     using solid = convex_polyhedron<T>;
     const solid cube{cube_and<T>({})};
@@ -57,7 +57,7 @@ TEST_CASE_TEMPLATE("convex_polyhedron: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many planes say so", T, float, double) {
+TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many planes say so", T, RAIO_NUMBERS) {
     const auto area = [](std::vector<half_space<T>> planes) { return convex_polyhedron<T>{std::move(planes)}.area(); };
     CHECK(area(cube_and<T>({})) == T(24));
     CHECK(area(cube_and<T>({{{0, 0, 2}, -2}})) == T(24));             // a plane twice
@@ -76,23 +76,23 @@ TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many 
 }
 
 TEST_CASE_TEMPLATE("convex_polyhedron: a face across an axis has one coordinate, and no rounding moves points off", T,
-                   float, double) {
+                   RAIO_NUMBERS) {
     check_face_across_x(convex_polyhedron<T>{
         {{{3, 0, 0}, 0}, {{-1, 0, 0}, -1}, {{0, 1, 0}, -1}, {{0, -1, 0}, -1}, {{0, 0, 1}, -1}, {{0, 0, -1}, -1}}});
 }
 
-TEST_CASE_TEMPLATE("convex_polyhedron: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("convex_polyhedron: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<convex_polyhedron<T>>();
 }
 
-TEST_CASE_TEMPLATE("convex_polyhedron: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("convex_polyhedron: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<convex_polyhedron<T>>();
     check_accuracy<convex_polyhedron<T>>(normal_run);
     check_bounds_of_errors<convex_polyhedron<T>>(normal_run / 5);
 }
 
 TEST_CASE_TEMPLATE("convex_polyhedron: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   float, double) {
+                   RAIO_NUMBERS) {
     check_accuracy<convex_polyhedron<T>>(nightly_run);
 }
 

@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("cylinder: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("cylinder: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const cylinder<T> unit{{0, -1, 0}, {0, 1, 0}, 1}, wide{{0, 0, 0}, {0, 0, 4}, 5};
     const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
@@ -55,15 +55,15 @@ TEST_CASE_TEMPLATE("cylinder: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, float, double) { check_properties<cylinder<T>>(); }
+TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, RAIO_NUMBERS) { check_properties<cylinder<T>>(); }
 
-TEST_CASE_TEMPLATE("cylinder: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("cylinder: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<cylinder<T>>();
     check_accuracy<cylinder<T>>(normal_run);
     check_bounds_of_errors<cylinder<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("open_cylinder: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("open_cylinder: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const open_cylinder<T> unit{{0, -1, 0}, {0, 1, 0}, 1}, wide{{0, 0, 0}, {0, 0, 4}, 5};
     const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
@@ -93,16 +93,16 @@ TEST_CASE_TEMPLATE("open_cylinder: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("open_cylinder: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("open_cylinder: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<open_cylinder<T>>();
 }
 
-TEST_CASE_TEMPLATE("open_cylinder: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("open_cylinder: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_cylinder<T>>(normal_run, 1.0 / 200);
     check_bounds_of_errors<open_cylinder<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("cylinder: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("cylinder: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const cylinder<T> can{{1, 2, 3}, {3, 3, 5}, 2};  // 3 high
     CHECK(can.area() == doctest::Approx(20 * std::numbers::pi));
     // A fifth of the area is each cap, three fifths are the side.
@@ -113,13 +113,13 @@ TEST_CASE_TEMPLATE("cylinder: area, and samples spread evenly over it", T, float
     });
 }
 
-TEST_CASE_TEMPLATE("open_cylinder: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("open_cylinder: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const open_cylinder<T> tube{{1, 2, 3}, {3, 3, 5}, 2};
     CHECK(tube.area() == doctest::Approx(12 * std::numbers::pi));
     check_sampling(tube, [](const hit_record<T>& rec) { return rec.uv; });
 }
 
-TEST_CASE_TEMPLATE("cylinder: uv", T, float, double) {
+TEST_CASE_TEMPLATE("cylinder: uv", T, RAIO_NUMBERS) {
     const cylinder<T> can{{0, 0, 0}, {0, 0, 4}, 2};
     const auto uv = [&](const ray<T>& ray) {
         hit_record<T> rec;
@@ -138,13 +138,13 @@ TEST_CASE_TEMPLATE("cylinder: uv", T, float, double) {
     CHECK(std::abs(uv({{9, 9, 1}, {-1, -1, 0}}).x - uv({{-9, -9, 1}, {1, 1, 0}}).x) == doctest::Approx(0.5));
 }
 
-TEST_CASE_TEMPLATE("cylinder: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("cylinder: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<cylinder<T>>(nightly_run);
 }
 
-TEST_CASE_TEMPLATE("open_cylinder: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("open_cylinder: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<open_cylinder<T>>(nightly_run, 1.0 / 200);
 }
 

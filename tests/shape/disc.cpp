@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("disc: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("disc: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const disc<T> unit{{0, 0, 0}, {0, 0, 1}, 1}, large{{0, 0, 0}, {0, 0, 1}, 5};
     const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
@@ -35,27 +35,27 @@ TEST_CASE_TEMPLATE("disc: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("disc: across an axis its points have one coordinate, and no rounding moves them off", T, float,
-                   double) {
+TEST_CASE_TEMPLATE("disc: across an axis its points have one coordinate, and no rounding moves them off", T,
+                   RAIO_NUMBERS) {
     check_face_across_x(disc<T>{{0, 0, 0}, {2, 0, 0}, 1});
 }
 
-TEST_CASE_TEMPLATE("disc: properties of every shape", T, float, double) { check_properties<disc<T>>(); }
+TEST_CASE_TEMPLATE("disc: properties of every shape", T, RAIO_NUMBERS) { check_properties<disc<T>>(); }
 
-TEST_CASE_TEMPLATE("disc: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("disc: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<disc<T>>();
     check_accuracy<disc<T>>(normal_run);
     check_bounds_of_errors<disc<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("disc: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("disc: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     CHECK(disc<T>{{1, 2, 3}, {0, 5, 0}, 2}.area() == doctest::Approx(4 * std::numbers::pi));
     const auto to_square = [](const hit_record<T>& rec) { return vec2<T>(rec.uv.x, rec.uv.y * rec.uv.y); };
     check_sampling(disc<T>{{0, 0, 0}, {0, 0, 1}, 1}, to_square);
     check_sampling(disc<T>{{5, -4, 3}, {1, -2, 2}, 3}, to_square);
 }
 
-TEST_CASE_TEMPLATE("disc: uv", T, float, double) {
+TEST_CASE_TEMPLATE("disc: uv", T, RAIO_NUMBERS) {
     hit_record<T> rec;
     const disc<T> large{{1, 1, 0}, {0, 0, 1}, 4};
     REQUIRE(large.hit({{1, 1, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("disc: uv", T, float, double) {
     CHECK(rec.uv.y == T(1));
 }
 
-TEST_CASE_TEMPLATE("disc: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+TEST_CASE_TEMPLATE("disc: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<disc<T>>(nightly_run);
 }
 

@@ -5,7 +5,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("ellipsoid: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("ellipsoid: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const ellipsoid<T> egg{{0, 0, 0}, {3, 2, 1}}, needle{{0, 0, 0}, {1, T(1e4), 1}},
         plate{{1, 2, 3}, {4, T(0x1p-13), 4}};
@@ -40,15 +40,15 @@ TEST_CASE_TEMPLATE("ellipsoid: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("ellipsoid: properties of every shape", T, float, double) { check_properties<ellipsoid<T>>(); }
+TEST_CASE_TEMPLATE("ellipsoid: properties of every shape", T, RAIO_NUMBERS) { check_properties<ellipsoid<T>>(); }
 
-TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<ellipsoid<T>>();
     check_accuracy<ellipsoid<T>>(normal_run / 2);
     check_bounds_of_errors<ellipsoid<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("ellipsoid: uv and normal", T, float, double) {
+TEST_CASE_TEMPLATE("ellipsoid: uv and normal", T, RAIO_NUMBERS) {
     const ellipsoid<T> egg{{1, 2, 3}, {3, 2, 1}};
     const auto hit = [&](const vec3<T>& from) {
         hit_record<T> rec;
@@ -65,8 +65,8 @@ TEST_CASE_TEMPLATE("ellipsoid: uv and normal", T, float, double) {
     CHECK(hit({3, 2, 0}).uv.y == doctest::Approx(0.75));
 }
 
-TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<ellipsoid<T>>(nightly_run);
 }
 

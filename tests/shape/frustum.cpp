@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("frustum: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("frustum: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     // From radius 3 to radius 1 at 45 degrees: its apex would be at a height of 3.
     const frustum<T> lamp{{0, 0, 0}, {0, 2, 0}, 3, 1}, even{{0, -1, 0}, {0, 1, 0}, 1, 1},
@@ -65,15 +65,15 @@ TEST_CASE_TEMPLATE("frustum: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("frustum: properties of every shape", T, float, double) { check_properties<frustum<T>>(); }
+TEST_CASE_TEMPLATE("frustum: properties of every shape", T, RAIO_NUMBERS) { check_properties<frustum<T>>(); }
 
-TEST_CASE_TEMPLATE("frustum: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("frustum: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<frustum<T>>();
     check_accuracy<frustum<T>>(normal_run / 2);
     check_bounds_of_errors<frustum<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("open_frustum: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("open_frustum: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const open_frustum<T> lamp{{0, 0, 0}, {0, 2, 0}, 3, 1}, even{{0, -1, 0}, {0, 1, 0}, 1, 1};
     const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
@@ -104,9 +104,9 @@ TEST_CASE_TEMPLATE("open_frustum: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("open_frustum: properties of every shape", T, float, double) { check_properties<open_frustum<T>>(); }
+TEST_CASE_TEMPLATE("open_frustum: properties of every shape", T, RAIO_NUMBERS) { check_properties<open_frustum<T>>(); }
 
-TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_frustum<T>>(normal_run / 2, 1.0 / 200);
     check_bounds_of_errors<open_frustum<T>>(normal_run / 10);
 }
@@ -117,7 +117,7 @@ T below(T v) {
     return (36 - (6 - 4 * v) * (6 - 4 * v)) / 32;
 }
 
-TEST_CASE_TEMPLATE("frustum: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("frustum: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     // The axis is 3 long, the generators 5: the side measures 40, the base 36 and the top 4, times pi.
     const frustum<T> lamp{{1, 2, 3}, {3, 3, 5}, 6, 2};
     CHECK(lamp.area() == doctest::Approx(80 * std::numbers::pi));
@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE("frustum: area, and samples spread evenly over it", T, float,
     CHECK(frustum<T>{{1, 2, 3}, {3, 3, 5}, 2, 2}.area() == doctest::Approx(20 * std::numbers::pi));
 }
 
-TEST_CASE_TEMPLATE("open_frustum: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("open_frustum: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const open_frustum<T> lamp{{1, 2, 3}, {3, 3, 5}, 6, 2};
     CHECK(lamp.area() == doctest::Approx(40 * std::numbers::pi));
     check_sampling(lamp, [](const hit_record<T>& rec) { return vec2<T>(rec.uv.x, below(rec.uv.y)); });
@@ -137,7 +137,7 @@ TEST_CASE_TEMPLATE("open_frustum: area, and samples spread evenly over it", T, f
     check_sampling(even, [](const hit_record<T>& rec) { return rec.uv; });
 }
 
-TEST_CASE_TEMPLATE("frustum: uv and normal", T, float, double) {
+TEST_CASE_TEMPLATE("frustum: uv and normal", T, RAIO_NUMBERS) {
     const frustum<T> lamp{{0, 0, 0}, {0, 0, 2}, 3, 1};
     const auto hit = [&](const ray<T>& ray) {
         hit_record<T> rec;
@@ -157,13 +157,13 @@ TEST_CASE_TEMPLATE("frustum: uv and normal", T, float, double) {
     CHECK(hit({{0, 0, 9}, {0, 0, -1}}).normal == vec3<T>(0, 0, 1));
 }
 
-TEST_CASE_TEMPLATE("frustum: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("frustum: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<frustum<T>>(nightly_run);
 }
 
-TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<open_frustum<T>>(nightly_run, 1.0 / 200);
 }
 

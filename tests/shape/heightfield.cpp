@@ -74,7 +74,7 @@ ray<T> random_ray(const heightfield<T>& field, random_numbers& random) {
     return r;
 }
 
-TEST_CASE_TEMPLATE("heightfield: what the loop over its triangles answers, bit for bit", T, float, double) {
+TEST_CASE_TEMPLATE("heightfield: what the loop over its triangles answers, bit for bit", T, RAIO_NUMBERS) {
     random_numbers random(5);
     int complaints = 0, hits = 0;
     for (int i = 0; i < normal_run / 2; ++i) {
@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("heightfield: what the loop over its triangles answers, bit f
     CHECK(hits > normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("heightfield: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
     constexpr T inf = infinity<T>;
     // A tent over [0, 4]^2 with its top at (2, 2, 2).
     const heightfield<T> tent{{0, 0}, {4, 4}, 3, {0, 0, 0, 0, 2, 0, 0, 0, 0}};
@@ -160,7 +160,7 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, float, double) {
     CHECK(rec.index == 5);
 }
 
-TEST_CASE_TEMPLATE("heightfield: what is spawned on it does not meet it where it left", T, float, double) {
+TEST_CASE_TEMPLATE("heightfield: what is spawned on it does not meet it where it left", T, RAIO_NUMBERS) {
     random_numbers random(6);
     int again = 0;
     for (int i = 0; i < normal_run / 10; ++i) {

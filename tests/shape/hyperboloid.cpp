@@ -5,7 +5,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("hyperboloid: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("hyperboloid: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const hyperboloid<T> tower{{0, -1, 0}, {0, 1, 0}, 3, 5};  // rho^2 = 9 + 16 y^2
     const hyperboloid<T> barrel{{0, -1, 0}, {0, 1, 0}, 5, 3}, even{{0, -1, 0}, {0, 1, 0}, 2, 2};
@@ -47,15 +47,15 @@ TEST_CASE_TEMPLATE("hyperboloid: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("hyperboloid: properties of every shape", T, float, double) { check_properties<hyperboloid<T>>(); }
+TEST_CASE_TEMPLATE("hyperboloid: properties of every shape", T, RAIO_NUMBERS) { check_properties<hyperboloid<T>>(); }
 
-TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<hyperboloid<T>>();
     check_accuracy<hyperboloid<T>>(normal_run / 4);
     check_bounds_of_errors<hyperboloid<T>>(normal_run / 20);
 }
 
-TEST_CASE_TEMPLATE("open_hyperboloid: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("open_hyperboloid: named cases", T, RAIO_NUMBERS) {
     const open_hyperboloid<T> tower{{0, -1, 0}, {0, 1, 0}, 3, 5};
     const ray<T> ahead{{0, 0, 9}, {0, 0, -1}}, beside{{2, -3, 3}, {0, 1, 0}};
     check_cases<open_hyperboloid<T>>({
@@ -74,16 +74,16 @@ TEST_CASE_TEMPLATE("open_hyperboloid: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("open_hyperboloid: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("open_hyperboloid: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<open_hyperboloid<T>>();
 }
 
-TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_hyperboloid<T>>(normal_run / 4, 1.0 / 200);
     check_bounds_of_errors<open_hyperboloid<T>>(normal_run / 20);
 }
 
-TEST_CASE_TEMPLATE("two_sheet_hyperboloid: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("two_sheet_hyperboloid: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const two_sheet_hyperboloid<T> cups{{0, -1, 0}, {0, 1, 0}, 0.5, 3};  // rho^2 = 12 y^2 - 3
     const ray<T> up{{0, -3, 0}, {0, 1, 0}};
@@ -112,17 +112,17 @@ TEST_CASE_TEMPLATE("two_sheet_hyperboloid: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("two_sheet_hyperboloid: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("two_sheet_hyperboloid: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<two_sheet_hyperboloid<T>>();
 }
 
-TEST_CASE_TEMPLATE("two_sheet_hyperboloid: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("two_sheet_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<two_sheet_hyperboloid<T>>();
     check_accuracy<two_sheet_hyperboloid<T>>(normal_run / 4);
     check_bounds_of_errors<two_sheet_hyperboloid<T>>(normal_run / 20);
 }
 
-TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: named cases", T, RAIO_NUMBERS) {
     const open_two_sheet_hyperboloid<T> cups{{0, -1, 0}, {0, 1, 0}, 0.5, 3};
     const ray<T> up{{0, -3, 0}, {0, 1, 0}};
     check_cases<open_two_sheet_hyperboloid<T>>({
@@ -137,16 +137,16 @@ TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: named cases", T, float, double) 
     });
 }
 
-TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<open_two_sheet_hyperboloid<T>>();
 }
 
-TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_two_sheet_hyperboloid<T>>(normal_run / 4, 1.0 / 200);
     check_bounds_of_errors<open_two_sheet_hyperboloid<T>>(normal_run / 20);
 }
 
-TEST_CASE_TEMPLATE("hyperboloid: all crossings", T, float, double) {
+TEST_CASE_TEMPLATE("hyperboloid: all crossings", T, RAIO_NUMBERS) {
     const hyperboloid<T> tower{{0, -1, 0}, {0, 1, 0}, 3, 5};
     const auto inside = tower.spans({{2, -3, 3}, {0, 1, 0}});
     REQUIRE(inside.count == 2);
@@ -158,7 +158,7 @@ TEST_CASE_TEMPLATE("hyperboloid: all crossings", T, float, double) {
     CHECK(both.intervals[1] == interval<T>{3.5, 4});
 }
 
-TEST_CASE_TEMPLATE("hyperboloid: uv and normal", T, float, double) {
+TEST_CASE_TEMPLATE("hyperboloid: uv and normal", T, RAIO_NUMBERS) {
     const hyperboloid<T> tower{{0, 0, -1}, {0, 0, 1}, 3, 5};
     const auto hit = [&](const ray<T>& ray) {
         hit_record<T> rec;
@@ -172,24 +172,24 @@ TEST_CASE_TEMPLATE("hyperboloid: uv and normal", T, float, double) {
     CHECK(hit({{-1, 0, -9}, {0, 0, 1}}).uv == vec2<T>(0.5, T(0.2)));
 }
 
-TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<hyperboloid<T>>(nightly_run);
 }
 
 TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   float, double) {
+                   RAIO_NUMBERS) {
     check_accuracy<open_hyperboloid<T>>(nightly_run, 1.0 / 200);
 }
 
 TEST_CASE_TEMPLATE("two_sheet_hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   float, double) {
+                   RAIO_NUMBERS) {
     check_accuracy<two_sheet_hyperboloid<T>>(nightly_run);
 }
 
 TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: as exact arithmetic, ten million times" *
                        doctest::test_suite("nightly"),
-                   T, float, double) {
+                   T, RAIO_NUMBERS) {
     check_accuracy<open_two_sheet_hyperboloid<T>>(nightly_run, 1.0 / 200);
 }
 

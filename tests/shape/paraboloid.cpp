@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("paraboloid: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("paraboloid: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const paraboloid<T> bowl{{0, 0, 0}, {0, 4, 0}, 2}, lying{{-1, 0, 0}, {8, 0, 0}, 6};  // y = x^2 + z^2
     const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
@@ -50,15 +50,15 @@ TEST_CASE_TEMPLATE("paraboloid: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("paraboloid: properties of every shape", T, float, double) { check_properties<paraboloid<T>>(); }
+TEST_CASE_TEMPLATE("paraboloid: properties of every shape", T, RAIO_NUMBERS) { check_properties<paraboloid<T>>(); }
 
-TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<paraboloid<T>>();
     check_accuracy<paraboloid<T>>(normal_run / 2);
     check_bounds_of_errors<paraboloid<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("open_paraboloid: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("open_paraboloid: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const open_paraboloid<T> dish{{0, 0, 0}, {0, 4, 0}, 2};
     const ray<T> ahead{{0, 1, 5}, {0, 0, -1}};
@@ -79,16 +79,16 @@ TEST_CASE_TEMPLATE("open_paraboloid: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("open_paraboloid: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("open_paraboloid: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<open_paraboloid<T>>();
 }
 
-TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_paraboloid<T>>(normal_run / 2, 1.0 / 200);
     check_bounds_of_errors<open_paraboloid<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("paraboloid: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("paraboloid: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const double pi = std::numbers::pi;
     CHECK(open_paraboloid<T>{{1, 2, 3}, {1, 2, 5}, 3}.area() == doctest::Approx(49 * pi / 4));  // of a 3, 4, 5
     CHECK(paraboloid<T>{{1, 2, 3}, {1, 2, 5}, 3}.area() == doctest::Approx(49 * pi / 4 + 9 * pi));
@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("paraboloid: area, and samples spread evenly over it", T, flo
     CHECK(length(vec3<T>(flat.point)) == doctest::Approx(1.5));
 }
 
-TEST_CASE_TEMPLATE("paraboloid: bounds are tight", T, float, double) {
+TEST_CASE_TEMPLATE("paraboloid: bounds are tight", T, RAIO_NUMBERS) {
     const aabb<T> box = paraboloid<T>{{0, 0, 0}, {0, 3, 4}, 1}.bounds();
     CHECK(box.min.x == doctest::Approx(-1));
     CHECK(box.max.y == doctest::Approx(3.8));
@@ -114,7 +114,7 @@ TEST_CASE_TEMPLATE("paraboloid: bounds are tight", T, float, double) {
     CHECK(box.min.z == doctest::Approx(-0.36 / 16));
 }
 
-TEST_CASE_TEMPLATE("paraboloid: uv and normal", T, float, double) {
+TEST_CASE_TEMPLATE("paraboloid: uv and normal", T, RAIO_NUMBERS) {
     const paraboloid<T> bowl{{0, 0, 0}, {0, 0, 4}, 2};
     const auto hit = [&](const ray<T>& ray) {
         hit_record<T> rec;
@@ -131,13 +131,13 @@ TEST_CASE_TEMPLATE("paraboloid: uv and normal", T, float, double) {
           2 * std::numeric_limits<T>::epsilon());
 }
 
-TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<paraboloid<T>>(nightly_run);
 }
 
-TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<open_paraboloid<T>>(nightly_run, 1.0 / 200);
 }
 

@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("parallelogram: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("parallelogram: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon(), tiny = T(0x1p-40);
     const parallelogram<T> unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, slanted{{0, 0, 0}, {1, 2, 3}, {3, 1, 2}};
     const auto from = [](T x, T y) { return ray<T>{{x, y, 5}, {0, 0, -1}}; };
@@ -53,24 +53,24 @@ TEST_CASE_TEMPLATE("parallelogram: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("parallelogram: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("parallelogram: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<parallelogram<T>>();
 }
 
-TEST_CASE_TEMPLATE("parallelogram: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("parallelogram: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<parallelogram<T>>();
     check_accuracy<parallelogram<T>>(normal_run);
     check_bounds_of_errors<parallelogram<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("parallelogram: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("parallelogram: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     CHECK(parallelogram<T>{{1, 1, 1}, {3, 0, 0}, {5, 4, 0}}.area() == T(12));
     const auto to_square = [](const hit_record<T>& rec) { return rec.uv; };
     check_sampling(parallelogram<T>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, to_square);
     check_sampling(parallelogram<T>{{1, 2, 3}, {3, -2, 4}, {-4, -1, -2}}, to_square);
 }
 
-TEST_CASE_TEMPLATE("parallelogram: uv", T, float, double) {
+TEST_CASE_TEMPLATE("parallelogram: uv", T, RAIO_NUMBERS) {
     hit_record<T> rec;
     const parallelogram<T> wide{{1, 1, 1}, {4, 0, 0}, {4, 2, 0}};
     REQUIRE(wide.hit({{5, 2, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
@@ -79,8 +79,8 @@ TEST_CASE_TEMPLATE("parallelogram: uv", T, float, double) {
     CHECK(rec.uv == vec2<T>(0.25, 0));
 }
 
-TEST_CASE_TEMPLATE("parallelogram: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("parallelogram: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<parallelogram<T>>(nightly_run);
 }
 

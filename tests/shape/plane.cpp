@@ -5,7 +5,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("plane: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("plane: named cases", T, RAIO_NUMBERS) {
     const plane<T> floor{{0, 0, 0}, {0, 1, 0}};
     const ray<T> down{{3, 2, 1}, {0, -1, 0}};
     check_cases<plane<T>>({
@@ -38,15 +38,15 @@ TEST_CASE_TEMPLATE("plane: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("plane: properties of every shape", T, float, double) { check_properties<plane<T>>(); }
+TEST_CASE_TEMPLATE("plane: properties of every shape", T, RAIO_NUMBERS) { check_properties<plane<T>>(); }
 
-TEST_CASE_TEMPLATE("plane: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("plane: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<plane<T>>();
     check_accuracy<plane<T>>(normal_run);
     check_bounds_of_errors<plane<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("plane: uv", T, float, double) {
+TEST_CASE_TEMPLATE("plane: uv", T, RAIO_NUMBERS) {
     const plane<T> floor{{10, 0, 10}, {0, 1, 0}};
     const auto uv = [&](T x, T z) {
         hit_record<T> rec;
@@ -61,7 +61,7 @@ TEST_CASE_TEMPLATE("plane: uv", T, float, double) {
     CHECK(uv(T(10.25), T(10.5)) != uv(T(10.5), T(10.5)));
 }
 
-TEST_CASE_TEMPLATE("plane: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+TEST_CASE_TEMPLATE("plane: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<plane<T>>(nightly_run);
 }
 

@@ -41,7 +41,7 @@ void check_corners(const Solid& solid, const std::vector<vec3<T>>& corners, doub
     CHECK(height(solid, vec3<T>(middle)) < -1e-3 * size);
 }
 
-TEST_CASE_TEMPLATE("oriented_box: the corners, along the axes and turned", T, float, double) {
+TEST_CASE_TEMPLATE("oriented_box: the corners, along the axes and turned", T, RAIO_NUMBERS) {
     const auto straight = oriented_box<T>({1, 2, 3}, {1, 0, 0}, {0, 2, 0}, {0, 0, 4});
     check_corners<decltype(straight), T>(straight, {{0, 0, -1}, {2, 4, 7}, {0, 4, -1}, {2, 0, 7}}, 5);
     CHECK(straight.area() == doctest::Approx(112));
@@ -62,7 +62,7 @@ TEST_CASE_TEMPLATE("oriented_box: the corners, along the axes and turned", T, fl
     check_corners<decltype(leaning), T>(leaning, {{2, 1, 1}, {0, 1, 1}, {-2, -1, 1}, {0, -1, -1}}, 2);
 }
 
-TEST_CASE_TEMPLATE("tetrahedron: whatever the order of the corners", T, float, double) {
+TEST_CASE_TEMPLATE("tetrahedron: whatever the order of the corners", T, RAIO_NUMBERS) {
     const vec3<T> a(0, 0, 0), b(2, 0, 0), c(0, 2, 0), d(0, 0, 2);
     for (const auto& solid : {tetrahedron(a, b, c, d), tetrahedron(b, a, c, d), tetrahedron(d, c, b, a)}) {
         check_corners<std::remove_cvref_t<decltype(solid)>, T>(solid, {a, b, c, d}, 2);
@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("tetrahedron: whatever the order of the corners", T, float, d
     }
 }
 
-TEST_CASE_TEMPLATE("pyramid and prism: on any convex base", T, float, double) {
+TEST_CASE_TEMPLATE("pyramid and prism: on any convex base", T, RAIO_NUMBERS) {
     const std::array<vec3<T>, 5> base{vec3<T>{2, 0, 1}, vec3<T>{1, 2, 1}, vec3<T>{-1, 2, 1}, vec3<T>{-2, 0, 1},
                                       vec3<T>{0, -2, 1}};
     const auto roof = pyramid(base, vec3<T>(0, 0, 4));
@@ -131,8 +131,8 @@ void check_regular(double area, double edge) {
     }
 }
 
-TEST_CASE_TEMPLATE("regular_solid: corners on the sphere, edges of one length, the area of the books", T, float,
-                   double) {
+TEST_CASE_TEMPLATE("regular_solid: corners on the sphere, edges of one length, the area of the books", T,
+                   RAIO_NUMBERS) {
     const double root3 = std::sqrt(3.0), root5 = std::sqrt(5.0), golden = (1 + root5) / 2;
     const double dodecahedron_edge = 2 / (root3 * golden), icosahedron_edge = 2 / std::sqrt(golden * root5);
     check_regular<4, T>(8 / root3, std::sqrt(8.0 / 3));
@@ -142,7 +142,7 @@ TEST_CASE_TEMPLATE("regular_solid: corners on the sphere, edges of one length, t
     check_regular<20, T>(5 * root3 * icosahedron_edge * icosahedron_edge, icosahedron_edge);
 }
 
-TEST_CASE_TEMPLATE("polyhedra: what has no inside is missed", T, float, double) {
+TEST_CASE_TEMPLATE("polyhedra: what has no inside is missed", T, RAIO_NUMBERS) {
     const vec3<T> zero(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     const T nan = std::numeric_limits<T>::quiet_NaN();
     random_numbers random(21);

@@ -29,7 +29,7 @@ struct subject<quadric<T, Closed>> : boxed_subject<quadric<T, Closed>> {
     }
 };
 
-TEST_CASE_TEMPLATE("quadric: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("quadric: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const vec3<T> low(-4), high(4);
     const quadric<T> ellipsoid{low, high, {4, 1, 1}, {0, 0, 0}, {0, 0, 0}, -4},
@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("quadric: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("open_quadric: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("open_quadric: named cases", T, RAIO_NUMBERS) {
     const vec3<T> low(-4), high(4);
     const open_quadric<T> tube{low, high, {1, 1, 0}, {0, 0, 0}, {0, 0, 0}, -4},
         one_sheet{low, high, {1, 1, -1}, {0, 0, 0}, {0, 0, 0}, -1};
@@ -121,24 +121,24 @@ TEST_CASE_TEMPLATE("open_quadric: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("quadric: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("quadric: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<quadric<T>>();
     check_properties<open_quadric<T>>();
 }
 
-TEST_CASE_TEMPLATE("quadric: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("quadric: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<quadric<T>>();
     check_accuracy<quadric<T>>(normal_run);
     check_bounds_of_errors<quadric<T>>(normal_run / 5, 0.7);  // faces of the box are not refined
 }
 
-TEST_CASE_TEMPLATE("open_quadric: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("open_quadric: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<open_quadric<T>>();
     check_accuracy<open_quadric<T>>(normal_run / 2, 1.0 / 200);
     check_bounds_of_errors<open_quadric<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("quadric: all crossings", T, float, double) {
+TEST_CASE_TEMPLATE("quadric: all crossings", T, RAIO_NUMBERS) {
     const quadric<T> two_sheets{{-4, -4, -4}, {4, 4, 4}, {1, 1, -1}, {0, 0, 0}, {0, 0, 0}, 1};
     const auto inside = two_sheets.spans({{0, 0, 8}, {0, 0, -1}});
     REQUIRE(inside.count == 2);
@@ -156,8 +156,8 @@ TEST_CASE("quadric: the derivatives of t, by a number that carries them along") 
     CHECK(rec.t.slope[1] == doctest::Approx(1));
 }
 
-TEST_CASE_TEMPLATE("quadric: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("quadric: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<quadric<T>>(nightly_run);
     check_accuracy<open_quadric<T>>(nightly_run, 1.0 / 200);
 }

@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("ring: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("ring: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const ring<T> unit{{0, 0, 0}, {0, 0, 1}, 0.5, 1}, large{{0, 0, 0}, {0, 0, 1}, 5, 13};
     const ray<T> ahead{{0.75, 0, 5}, {0, 0, -1}}, through{{0, 0, 5}, {0, 0, -1}};
@@ -47,15 +47,15 @@ TEST_CASE_TEMPLATE("ring: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("ring: properties of every shape", T, float, double) { check_properties<ring<T>>(); }
+TEST_CASE_TEMPLATE("ring: properties of every shape", T, RAIO_NUMBERS) { check_properties<ring<T>>(); }
 
-TEST_CASE_TEMPLATE("ring: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("ring: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<ring<T>>();
     check_accuracy<ring<T>>(normal_run);
     check_bounds_of_errors<ring<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("ring: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("ring: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const ring<T> flat{{5, -4, 3}, {1, -2, 2}, 1, 3};
     CHECK(flat.area() == doctest::Approx(8 * std::numbers::pi));
     check_sampling(flat, [](const hit_record<T>& rec) {
@@ -64,7 +64,7 @@ TEST_CASE_TEMPLATE("ring: area, and samples spread evenly over it", T, float, do
     });
 }
 
-TEST_CASE_TEMPLATE("ring: uv", T, float, double) {
+TEST_CASE_TEMPLATE("ring: uv", T, RAIO_NUMBERS) {
     hit_record<T> rec;
     const ring<T> flat{{1, 1, 0}, {0, 0, 1}, 2, 4};
     for (const auto& [x, v] : {std::pair<T, T>{3, 0}, {4, 0.5}, {5, 1}}) {
@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("ring: uv", T, float, double) {
     }
 }
 
-TEST_CASE_TEMPLATE("ring: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+TEST_CASE_TEMPLATE("ring: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<ring<T>>(nightly_run);
 }
 

@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("round_cone: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("round_cone: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     // Equal radii are a capsule; then 3 : 4 : 5, whose cone touches the spheres of 1 and 4 where y = -0.6 and 2.6.
     const round_cone<T> pill{{0, -1, 0}, {0, 1, 0}, 1, 1}, pear{{0, 0, 0}, {0, 5, 0}, 1, 4},
@@ -50,15 +50,15 @@ TEST_CASE_TEMPLATE("round_cone: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("round_cone: properties of every shape", T, float, double) { check_properties<round_cone<T>>(); }
+TEST_CASE_TEMPLATE("round_cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<round_cone<T>>(); }
 
-TEST_CASE_TEMPLATE("round_cone: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("round_cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<round_cone<T>>();
     check_accuracy<round_cone<T>>(normal_run);
     check_bounds_of_errors<round_cone<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("round_cone: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("round_cone: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const double pi = std::numbers::pi;
     const round_cone<T> pear{{1, 2, 3}, {1, 2, 8}, 1, 4};  // of a 3, 4, 5
     CHECK(pear.area() == doctest::Approx(0.8 * pi + 16 * pi + 51.2 * pi));
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("round_cone: area, and samples spread evenly over it", T, flo
     check({{1, 2, 3}, {3, 3, 5}, 2, 2});
 }
 
-TEST_CASE_TEMPLATE("round_cone: uv", T, float, double) {
+TEST_CASE_TEMPLATE("round_cone: uv", T, RAIO_NUMBERS) {
     const round_cone<T> pear{{0, 0, 0}, {0, 0, 5}, 1, 4};
     const auto v = [&](const ray<T>& ray) {
         hit_record<T> rec;
@@ -101,8 +101,8 @@ TEST_CASE_TEMPLATE("round_cone: uv", T, float, double) {
     CHECK(v({{0, 0, 19}, {0, 0, -1}}) == T(1));
 }
 
-TEST_CASE_TEMPLATE("round_cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("round_cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<round_cone<T>>(nightly_run);
 }
 

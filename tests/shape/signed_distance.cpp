@@ -91,7 +91,7 @@ void check_beside(const signed_distance<T, Function>& shape, const Exact& exact,
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("signed_distance: as the exact shapes, within the tolerance", T, float, double) {
+TEST_CASE_TEMPLATE("signed_distance: as the exact shapes, within the tolerance", T, RAIO_NUMBERS) {
     const T tolerance = fine<T>, more = 4 * tolerance;
     const aabb<T> box{vec3<T>(-2), vec3<T>(2)};
     const vec3<T> center(T(0.25), T(0.5), T(-0.25));
@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("signed_distance: as the exact shapes, within the tolerance",
                  torus<T>{{0, 0, 0}, up, 1, T(0.5) + more}, torus<T>{{0, 0, 0}, up, 1, T(0.5) - more});
 }
 
-TEST_CASE_TEMPLATE("signed_distance: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("signed_distance: named cases", T, RAIO_NUMBERS) {
     const T tolerance = fine<T>;
     const aabb<T> box{vec3<T>(-2), vec3<T>(2)};
     const signed_distance shape{box, tolerance, T(1), ball<T>{{0, 0, 0}, 1}};

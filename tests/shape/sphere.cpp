@@ -6,7 +6,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("sphere: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("sphere: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const sphere<T> unit{{0, 0, 0}, 1};
     const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
@@ -69,15 +69,15 @@ TEST_CASE("sphere: from a point that lies on it exactly, and no root of 53 bits 
     });
 }
 
-TEST_CASE_TEMPLATE("sphere: properties of every shape", T, float, double) { check_properties<sphere<T>>(); }
+TEST_CASE_TEMPLATE("sphere: properties of every shape", T, RAIO_NUMBERS) { check_properties<sphere<T>>(); }
 
-TEST_CASE_TEMPLATE("sphere: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("sphere: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<sphere<T>>();
     check_accuracy<sphere<T>>(normal_run);
     check_bounds_of_errors<sphere<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("sphere: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("sphere: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     CHECK(sphere<T>{{1, 2, 3}, 2}.area() == doctest::Approx(16 * std::numbers::pi));
     const auto to_square = [](const hit_record<T>& rec) {
         return vec2<T>(rec.uv.x, (1 - std::cos(rec.uv.y * pi<T>)) / 2);
@@ -86,7 +86,7 @@ TEST_CASE_TEMPLATE("sphere: area, and samples spread evenly over it", T, float, 
     check_sampling(sphere<T>{{-10, 20, 30}, T(0.25)}, to_square);
 }
 
-TEST_CASE_TEMPLATE("sphere: uv", T, float, double) {
+TEST_CASE_TEMPLATE("sphere: uv", T, RAIO_NUMBERS) {
     const sphere<T> globe{{1, 1, 1}, 1};
     const auto uv = [&](const vec3<T>& outward) {
         hit_record<T> rec;
@@ -102,8 +102,7 @@ TEST_CASE_TEMPLATE("sphere: uv", T, float, double) {
     CHECK(uv({1, 1, 0}).y == doctest::Approx(0.75));
 }
 
-TEST_CASE_TEMPLATE("sphere: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("sphere: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<sphere<T>>(nightly_run);
 }
 

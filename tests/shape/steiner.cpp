@@ -62,7 +62,7 @@ struct subject<steiner<T>> {
     }
 };
 
-TEST_CASE_TEMPLATE("steiner: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("steiner: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const steiner<T> roman{{0, 0, 0}, 6};
     const ray<T> ahead{{5, 5, 5}, {-1, -1, -1}};
@@ -92,16 +92,16 @@ TEST_CASE_TEMPLATE("steiner: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("steiner: properties of every shape", T, float, double) { check_properties<steiner<T>>(); }
+TEST_CASE_TEMPLATE("steiner: properties of every shape", T, RAIO_NUMBERS) { check_properties<steiner<T>>(); }
 
-TEST_CASE_TEMPLATE("steiner: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("steiner: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<steiner<T>>();
     // Of a double that is aimed at an axis, 106 bits cannot tell whether it meets one sheet or two.
     check_accuracy<steiner<T>>(normal_run, 1.0 / 50);
     check_bounds_of_errors<steiner<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("steiner: uv and normal", T, float, double) {
+TEST_CASE_TEMPLATE("steiner: uv and normal", T, RAIO_NUMBERS) {
     const steiner<T> roman{{1, 1, 1}, 6};
     hit_record<T> rec;
     REQUIRE(roman.hit({{6, 6, 6}, {-1, -1, -1}}, T(0), infinity<T>, rec));
@@ -114,8 +114,8 @@ TEST_CASE_TEMPLATE("steiner: uv and normal", T, float, double) {
     CHECK(rec.normal == vec3<T>(0, 1, 0));
 }
 
-TEST_CASE_TEMPLATE("steiner: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("steiner: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<steiner<T>>(nightly_run, 1.0 / 50);
 }
 

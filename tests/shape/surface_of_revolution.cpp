@@ -84,7 +84,7 @@ std::vector<oracle> exact_crossings(const surface_of_revolution<T>& s, const ray
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("surface of revolution: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("surface of revolution: named cases", T, RAIO_NUMBERS) {
     const surface_of_revolution<T> cup = goblet<T>(), tube{{0, 0, 0}, {0, 0, 1}, {{1, 0}, {1, 4}}},
                                    point{{0, 0, 0}, {0, 0, 1}, {{1, 0}}}, nothing{{0, 0, 0}, {0, 0, 1}, {}},
                                    turned_in{{0, 0, 0}, {0, 0, 1}, {{-1, 0}, {-1, 4}}},
@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE("surface of revolution: named cases", T, float, double) {
     }
 }
 
-TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, RAIO_NUMBERS) {
     random_numbers random(31);
     const int rays = normal_run / 4;
     int hits = 0;
@@ -163,7 +163,7 @@ TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, float, doubl
     CHECK(hits > rays / 4);
 }
 
-TEST_CASE_TEMPLATE("surface of revolution: closed where its profile begins and ends on the axis", T, float, double) {
+TEST_CASE_TEMPLATE("surface of revolution: closed where its profile begins and ends on the axis", T, RAIO_NUMBERS) {
     random_numbers random(32);
     const surface_of_revolution<T> vase{{T(0.1), T(-0.7), 3},
                                         {T(0.3), T(1.1), T(-0.2)},
@@ -180,11 +180,11 @@ TEST_CASE_TEMPLATE("surface of revolution: closed where its profile begins and e
 }
 
 TEST_CASE_TEMPLATE("surface of revolution: a ring across an axis has one coordinate, and no rounding moves points off",
-                   T, float, double) {
+                   T, RAIO_NUMBERS) {
     check_face_across_x(surface_of_revolution<T>{{1, 0, 0}, {2, 0, 0}, {{0, -0.5}, {1, -0.5}}});
 }
 
-TEST_CASE_TEMPLATE("surface of revolution: uv and area, and points that lie on it", T, float, double) {
+TEST_CASE_TEMPLATE("surface of revolution: uv and area, and points that lie on it", T, RAIO_NUMBERS) {
     const surface_of_revolution<T> cup = goblet<T>();
     const frame<T> f = frame_about(vec3<T>(0, 1, 0));
     hit_record<T> rec;
@@ -258,7 +258,7 @@ surface_of_revolution<T> straightened(const curved_surface_of_revolution<T>& sur
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("curved surface of revolution: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("curved surface of revolution: named cases", T, RAIO_NUMBERS) {
     // The square of the radius is the height.
     const curved_surface_of_revolution<T> dish{{0, 0, 0}, {0, 1, 0}, {{0, 0}, {1, 0}, {2, 3}, {3, 9}}},
         tube{{0, 0, 0}, {0, 2, 0}, {{1, 0}, {1, 1}, {1, 2}, {1, 3}}},
@@ -320,7 +320,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: named cases", T, float, double
     }
 }
 
-TEST_CASE_TEMPLATE("curved surface of revolution: straight lines and a parabola", T, float, double) {
+TEST_CASE_TEMPLATE("curved surface of revolution: straight lines and a parabola", T, RAIO_NUMBERS) {
     random_numbers random(34);
     int hits = 0;
     for (int i = 0; i < normal_run / 5; ++i) {
@@ -350,8 +350,8 @@ TEST_CASE_TEMPLATE("curved surface of revolution: straight lines and a parabola"
     CHECK(hits > normal_run / 20);
 }
 
-TEST_CASE_TEMPLATE("curved surface of revolution: across the axis, where roots are double, to the last digit", T, float,
-                   double) {
+TEST_CASE_TEMPLATE("curved surface of revolution: across the axis, where roots are double, to the last digit", T,
+                   RAIO_NUMBERS) {
     // The square of the radius is the height.
     const curved_surface_of_revolution<T> dish{{0, 0, 0}, {0, 1, 0}, {{0, 0}, {1, 0}, {2, 3}, {3, 9}}};
     for (int i = 1; i < 72; ++i) {
@@ -364,7 +364,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: across the axis, where roots a
     }
 }
 
-TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_NUMBERS) {
     random_numbers random(35);
     const int rays = normal_run / 25;
     int hits = 0, undecided = 0;
@@ -450,8 +450,8 @@ TEST_CASE("curved surface of revolution: as many straight segments") {
     CHECK(other < 10);
 }
 
-TEST_CASE_TEMPLATE("curved surface of revolution: closed where its profile begins and ends on the axis", T, float,
-                   double) {
+TEST_CASE_TEMPLATE("curved surface of revolution: closed where its profile begins and ends on the axis", T,
+                   RAIO_NUMBERS) {
     random_numbers random(37);
     const curved_surface_of_revolution<T> vase{{T(0.1), T(-0.7), 3},
                                                {T(0.3), T(1.1), T(-0.2)},

@@ -51,7 +51,7 @@ struct subject<teardrop<T>> {
     }
 };
 
-TEST_CASE_TEMPLATE("teardrop: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("teardrop: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const teardrop<T> drop{{0, 0, 0}, {0, 0, 4}, 1}, flat{{0, 0, 0}, {0, 0, 1}, 8};
     const ray<T> ahead{{5, 0, 1}, {-1, 0, 0}}, down{{0, 0, 9}, {0, 0, -1}};
@@ -87,16 +87,16 @@ TEST_CASE_TEMPLATE("teardrop: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("teardrop: properties of every shape", T, float, double) { check_properties<teardrop<T>>(); }
+TEST_CASE_TEMPLATE("teardrop: properties of every shape", T, RAIO_NUMBERS) { check_properties<teardrop<T>>(); }
 
-TEST_CASE_TEMPLATE("teardrop: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("teardrop: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<teardrop<T>>();
     // Of a double that is aimed at the tip, 106 bits cannot tell on which side it passes.
     check_accuracy<teardrop<T>>(normal_run, 1.0 / 40);
     check_bounds_of_errors<teardrop<T>>(normal_run / 10);
 }
 
-TEST_CASE_TEMPLATE("teardrop: uv and normal", T, float, double) {
+TEST_CASE_TEMPLATE("teardrop: uv and normal", T, RAIO_NUMBERS) {
     const teardrop<T> drop{{1, 1, 1}, {1, 1, 5}, 1};
     const auto hit = [&](const ray<T>& ray) {
         hit_record<T> rec;
@@ -114,8 +114,8 @@ TEST_CASE_TEMPLATE("teardrop: uv and normal", T, float, double) {
     CHECK(hit({{9, 1, 5}, {-1, 0, 0}}).uv.y == T(1));
 }
 
-TEST_CASE_TEMPLATE("teardrop: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("teardrop: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<teardrop<T>>(nightly_run, 1.0 / 40);
 }
 

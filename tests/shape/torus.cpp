@@ -60,7 +60,7 @@ struct subject<torus<T>> {
     }
 };
 
-TEST_CASE_TEMPLATE("torus: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("torus: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     const torus<T> ring{{0, 0, 0}, {0, 0, 2}, 2, 1}, horn{{0, 0, 0}, {0, 1, 0}, 2, 2},
         spindle{{0, 0, 0}, {0, 0, 1}, 4, 5};
@@ -134,15 +134,15 @@ TEST_CASE_TEMPLATE("torus: named cases", T, float, double) {
     });
 }
 
-TEST_CASE_TEMPLATE("torus: properties of every shape", T, float, double) { check_properties<torus<T>>(); }
+TEST_CASE_TEMPLATE("torus: properties of every shape", T, RAIO_NUMBERS) { check_properties<torus<T>>(); }
 
-TEST_CASE_TEMPLATE("torus: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("torus: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<torus<T>>();
     check_accuracy<torus<T>>(normal_run);
     check_bounds_of_errors<torus<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const double pi2 = std::numbers::pi * std::numbers::pi;
     CHECK(torus<T>{{1, 2, 3}, {0, 0, 1}, 3, 2}.area() == doctest::Approx(24 * pi2));
     CHECK(torus<T>{{1, 2, 3}, {0, 0, 1}, 3, 3}.area() == doctest::Approx(36 * pi2));
@@ -168,7 +168,7 @@ TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, float, d
     }
 }
 
-TEST_CASE_TEMPLATE("torus: uv", T, float, double) {
+TEST_CASE_TEMPLATE("torus: uv", T, RAIO_NUMBERS) {
     const torus<T> ring{{1, 1, 1}, {0, 0, 1}, 2, 1};
     const auto uv = [&](const vec3<T>& from, const vec3<T>& direction) {
         hit_record<T> rec;
@@ -182,7 +182,7 @@ TEST_CASE_TEMPLATE("torus: uv", T, float, double) {
     CHECK(uv({2, 0, -9}, {0, 0, 1}) == vec2<T>(0, 0.75));
 }
 
-TEST_CASE_TEMPLATE("torus: all crossings", T, float, double) {
+TEST_CASE_TEMPLATE("torus: all crossings", T, RAIO_NUMBERS) {
     const torus<T> ring{{0, 0, 0}, {0, 0, 2}, 2, 1};
     const auto inside = ring.spans({{6, 0, 0}, {-1, 0, 0}});
     REQUIRE(inside.count == 2);
@@ -202,7 +202,7 @@ TEST_CASE("torus: the derivatives of t, by a number that carries them along") {
     CHECK(rec.t.slope[2] == doctest::Approx(1));
 }
 
-TEST_CASE_TEMPLATE("torus: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float, double) {
+TEST_CASE_TEMPLATE("torus: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<torus<T>>(nightly_run);
 }
 

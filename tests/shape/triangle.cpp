@@ -4,7 +4,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("triangle: named cases", T, float, double) { check_triangle_cases<triangle<T>>(); }
+TEST_CASE_TEMPLATE("triangle: named cases", T, RAIO_NUMBERS) { check_triangle_cases<triangle<T>>(); }
 
 TEST_CASE("triangle: ties that double_double cannot tell") {
     check_cases<triangle<double>>({
@@ -18,25 +18,25 @@ TEST_CASE("triangle: ties that double_double cannot tell") {
     });
 }
 
-TEST_CASE_TEMPLATE("triangle: properties of every shape", T, float, double) { check_properties<triangle<T>>(); }
+TEST_CASE_TEMPLATE("triangle: properties of every shape", T, RAIO_NUMBERS) { check_properties<triangle<T>>(); }
 
-TEST_CASE_TEMPLATE("triangle: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("triangle: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<triangle<T>>();
     check_accuracy<triangle<T>>(normal_run);
     check_bounds_of_errors<triangle<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("triangle: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("triangle: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     check_triangle_sampling<triangle<T>>();
 }
 
-TEST_CASE_TEMPLATE("triangle: no ray leaves a closed mesh unseen", T, float, double) {
+TEST_CASE_TEMPLATE("triangle: no ray leaves a closed mesh unseen", T, RAIO_NUMBERS) {
     check_closed_mesh(icosphere<triangle<T>>());
     check_closed_mesh(cube_of_fans<triangle<T>>());
 }
 
-TEST_CASE_TEMPLATE("triangle: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, float,
-                   double) {
+TEST_CASE_TEMPLATE("triangle: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
+                   RAIO_NUMBERS) {
     check_accuracy<triangle<T>>(nightly_run);
 }
 

@@ -4,7 +4,7 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("watertight_triangle: named cases", T, float, double) {
+TEST_CASE_TEMPLATE("watertight_triangle: named cases", T, RAIO_NUMBERS) {
     check_triangle_cases<watertight_triangle<T>>();
 }
 
@@ -20,26 +20,26 @@ TEST_CASE("watertight_triangle: ties that double_double cannot tell") {
     });
 }
 
-TEST_CASE_TEMPLATE("watertight_triangle: properties of every shape", T, float, double) {
+TEST_CASE_TEMPLATE("watertight_triangle: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<watertight_triangle<T>>();
 }
 
-TEST_CASE_TEMPLATE("watertight_triangle: as exact arithmetic", T, float, double) {
+TEST_CASE_TEMPLATE("watertight_triangle: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<watertight_triangle<T>>(normal_run);
     check_bounds_of_errors<watertight_triangle<T>>(normal_run / 5);
 }
 
-TEST_CASE_TEMPLATE("watertight_triangle: area, and samples spread evenly over it", T, float, double) {
+TEST_CASE_TEMPLATE("watertight_triangle: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     check_triangle_sampling<watertight_triangle<T>>();
 }
 
-TEST_CASE_TEMPLATE("watertight_triangle: no ray leaves a closed mesh unseen", T, float, double) {
+TEST_CASE_TEMPLATE("watertight_triangle: no ray leaves a closed mesh unseen", T, RAIO_NUMBERS) {
     check_closed_mesh(icosphere<watertight_triangle<T>>());
     check_closed_mesh(cube_of_fans<watertight_triangle<T>>());
 }
 
 TEST_CASE_TEMPLATE("watertight_triangle: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   float, double) {
+                   RAIO_NUMBERS) {
     check_accuracy<watertight_triangle<T>>(nightly_run);
 }
 

@@ -28,29 +28,29 @@ void check_packs(double may_be_left_open = 0.01) {
     CHECK(open < may_be_left_open);
 }
 
-TEST_CASE_TEMPLATE("packs: sphere", T, float, double) { check_packs<sphere<T>>(); }
-TEST_CASE_TEMPLATE("packs: ellipsoid", T, float, double) { check_packs<ellipsoid<T>>(); }
-TEST_CASE_TEMPLATE("packs: plane", T, float, double) { check_packs<plane<T>>(); }
-TEST_CASE_TEMPLATE("packs: disc", T, float, double) { check_packs<disc<T>>(); }
-TEST_CASE_TEMPLATE("packs: ring", T, float, double) { check_packs<ring<T>>(); }
-TEST_CASE_TEMPLATE("packs: triangle", T, float, double) { check_packs<triangle<T>>(); }
-TEST_CASE_TEMPLATE("packs: watertight triangle", T, float, double) { check_packs<watertight_triangle<T>>(); }
-TEST_CASE_TEMPLATE("packs: parallelogram", T, float, double) { check_packs<parallelogram<T>>(); }
-TEST_CASE_TEMPLATE("packs: box", T, float, double) { check_packs<box<T>>(0.1); }
-TEST_CASE_TEMPLATE("packs: cylinder", T, float, double) { check_packs<cylinder<T>>(); }
-TEST_CASE_TEMPLATE("packs: open cylinder", T, float, double) { check_packs<open_cylinder<T>>(); }
-TEST_CASE_TEMPLATE("packs: capsule", T, float, double) { check_packs<capsule<T>>(0.14); }
-TEST_CASE_TEMPLATE("packs: cone", T, float, double) { check_packs<cone<T>>(); }
-TEST_CASE_TEMPLATE("packs: open cone", T, float, double) { check_packs<open_cone<T>>(); }
-TEST_CASE_TEMPLATE("packs: frustum", T, float, double) { check_packs<frustum<T>>(); }
-TEST_CASE_TEMPLATE("packs: open frustum", T, float, double) { check_packs<open_frustum<T>>(); }
-TEST_CASE_TEMPLATE("packs: round cone", T, float, double) { check_packs<round_cone<T>>(); }
-TEST_CASE_TEMPLATE("packs: paraboloid", T, float, double) { check_packs<paraboloid<T>>(); }
-TEST_CASE_TEMPLATE("packs: open paraboloid", T, float, double) { check_packs<open_paraboloid<T>>(); }
-TEST_CASE_TEMPLATE("packs: open hyperboloid", T, float, double) { check_packs<open_hyperboloid<T>>(); }
-TEST_CASE_TEMPLATE("packs: open two-sheet hyperboloid", T, float, double) {
+TEST_CASE_TEMPLATE("packs: sphere", T, RAIO_NUMBERS) { check_packs<sphere<T>>(); }
+TEST_CASE_TEMPLATE("packs: ellipsoid", T, RAIO_NUMBERS) { check_packs<ellipsoid<T>>(); }
+TEST_CASE_TEMPLATE("packs: plane", T, RAIO_NUMBERS) { check_packs<plane<T>>(); }
+TEST_CASE_TEMPLATE("packs: disc", T, RAIO_NUMBERS) { check_packs<disc<T>>(); }
+TEST_CASE_TEMPLATE("packs: ring", T, RAIO_NUMBERS) { check_packs<ring<T>>(); }
+TEST_CASE_TEMPLATE("packs: triangle", T, RAIO_NUMBERS) { check_packs<triangle<T>>(); }
+TEST_CASE_TEMPLATE("packs: watertight triangle", T, RAIO_NUMBERS) { check_packs<watertight_triangle<T>>(); }
+TEST_CASE_TEMPLATE("packs: parallelogram", T, RAIO_NUMBERS) { check_packs<parallelogram<T>>(); }
+TEST_CASE_TEMPLATE("packs: box", T, RAIO_NUMBERS) { check_packs<box<T>>(0.1); }
+TEST_CASE_TEMPLATE("packs: cylinder", T, RAIO_NUMBERS) { check_packs<cylinder<T>>(); }
+TEST_CASE_TEMPLATE("packs: open cylinder", T, RAIO_NUMBERS) { check_packs<open_cylinder<T>>(); }
+TEST_CASE_TEMPLATE("packs: capsule", T, RAIO_NUMBERS) { check_packs<capsule<T>>(0.14); }
+TEST_CASE_TEMPLATE("packs: cone", T, RAIO_NUMBERS) { check_packs<cone<T>>(); }
+TEST_CASE_TEMPLATE("packs: open cone", T, RAIO_NUMBERS) { check_packs<open_cone<T>>(); }
+TEST_CASE_TEMPLATE("packs: frustum", T, RAIO_NUMBERS) { check_packs<frustum<T>>(); }
+TEST_CASE_TEMPLATE("packs: open frustum", T, RAIO_NUMBERS) { check_packs<open_frustum<T>>(); }
+TEST_CASE_TEMPLATE("packs: round cone", T, RAIO_NUMBERS) { check_packs<round_cone<T>>(); }
+TEST_CASE_TEMPLATE("packs: paraboloid", T, RAIO_NUMBERS) { check_packs<paraboloid<T>>(); }
+TEST_CASE_TEMPLATE("packs: open paraboloid", T, RAIO_NUMBERS) { check_packs<open_paraboloid<T>>(); }
+TEST_CASE_TEMPLATE("packs: open hyperboloid", T, RAIO_NUMBERS) { check_packs<open_hyperboloid<T>>(); }
+TEST_CASE_TEMPLATE("packs: open two-sheet hyperboloid", T, RAIO_NUMBERS) {
     check_packs<open_two_sheet_hyperboloid<T>>();
 }
-TEST_CASE_TEMPLATE("packs: convex polyhedron", T, float, double) { check_packs<convex_polyhedron<T>>(); }
+TEST_CASE_TEMPLATE("packs: convex polyhedron", T, RAIO_NUMBERS) { check_packs<convex_polyhedron<T>>(); }
 
 }  // namespace raio::test

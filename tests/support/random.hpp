@@ -59,6 +59,17 @@ inline constexpr int normal_run = __has_feature(address_sanitizer) || __has_feat
 #else
 inline constexpr int normal_run = 100'000;
 #endif
+/// The types of numbers that the shapes are tested with. What is made for floats is made for doubles as well, and more:
+/// under the address sanitizer, which makes compiling slow, those alone.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RAIO_NUMBERS double
+#endif
+#endif
+#if !defined(RAIO_NUMBERS)
+#define RAIO_NUMBERS float, double
+#endif
+
 /// The same part of another number.
 constexpr int share_of(int count) { return count / (100'000 / normal_run); }
 inline constexpr int nightly_run = 10'000'000;
