@@ -150,4 +150,13 @@ TEST_CASE_TEMPLATE("signed_distance: named cases", T, RAIO_NUMBERS) {
 
 static_assert(solid<signed_distance<float, ball<float>>> && bounded<signed_distance<double, ball<double>>>);
 
+TEST_CASE_TEMPLATE("signed distance: a walk ends, however short its steps", T, RAIO_NUMBERS) {
+    const auto flat = [](const vec3<T>&) { return T(0); };
+    const signed_distance<T, decltype(flat)> shape{{vec3<T>(-1), vec3<T>(1)}, least_normal<T>, T(1), flat};
+    const auto inside = shape.spans({{0, 0, 0}, {0, 0, 1}});
+    REQUIRE(inside.count == 1);
+    CHECK(inside.intervals[0].min == T(-1));
+    CHECK(inside.intervals[0].max > T(-1));
+}
+
 }  // namespace raio::test

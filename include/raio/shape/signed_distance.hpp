@@ -14,7 +14,8 @@ namespace raio {
 /// This is not exact. A crossing is a t where |f| <= tolerance, f as it is computed for the rounded point: a ray that
 /// passes within the tolerance hits, what is thinner than that has two crossings in one place, and `error` is what the
 /// tolerance amounts to across the surface, by the slope of f there. It takes the more steps the less the tolerance is;
-/// that should be well above the rounding errors of f, which see whole numbers of 2^-24 of the box in float.
+/// that should be well above the rounding errors of f, which see whole numbers of 2^-24 of the box in float. After 2^20
+/// steps the walk ends as if it had left the box.
 ///
 /// The normal is the slope of f, by differences over the third root of a roundoff of the box, where their error is
 /// least; where there is none, it points against the ray. uv is 0.
@@ -65,7 +66,8 @@ private:
 
         bool inside = false;
         T last = inside_box.min;  // where f was last within the tolerance
-        for (T t = inside_box.min; t <= inside_box.max;) {
+        T t = inside_box.min;
+        for (int step = 0; t <= inside_box.max && step < 1 << 20; ++step) {
             const T f = distance(ray.origin + ray.direction * t);
             if (!is_finite(f)) return false;
             if (!inside && f <= tolerance) {
