@@ -170,7 +170,7 @@ private:
         return far;
     }
 
-    /// Whichever side of it is the inside.
+    /// Whichever of its sides is inside.
     RAIO_FN constexpr bool is_same_plane(std::size_t i, std::size_t k) const {
         const vec3<exact> n(planes[i].normal), m(planes[k].normal), turn = cross(n, m);
         const vec3<exact> apart = n * exact(planes[k].offset) - m * exact(planes[i].offset);

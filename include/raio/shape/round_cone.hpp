@@ -79,8 +79,8 @@ struct round_cone {
     template <class X, class W>
     RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
         return detail::correct_round(low_end(), high_end(), ray, c, [&] {
-            const touching_cone<X> cone(narrow_first());
-            return correct_quadric(cone.surface, ray.seen_from(narrow_first().base), ray.direction, c);
+            const round_cone s = narrow_first();
+            return correct_quadric(touching_cone<X>(s).surface, ray.seen_from(s.base), ray.direction, c);
         });
     }
 
