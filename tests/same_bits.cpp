@@ -200,8 +200,8 @@ std::vector<std::uint64_t> checksums() {
         }),
         checksum_of_hits<T>([&](numbers& n) {
             algebraic<T, 4> surface{low, high, {}};
-            for (const auto& [x, y, z] : {vec3<int>(4, 0, 0), {0, 4, 0}, {0, 0, 4}, {1, 1, 1}, {0, 2, 0}, {0, 0, 0}}) {
-                surface.terms.push_back({n.point<T>(1).x, unsigned(x), unsigned(y), unsigned(z)});
+            for (const auto& power : {vec3<int>(4, 0, 0), {0, 4, 0}, {0, 0, 4}, {1, 1, 1}, {0, 2, 0}, {0, 0, 0}}) {
+                surface.terms.push_back({n.point<T>(1).x, unsigned(power.x), unsigned(power.y), unsigned(power.z)});
             }
             return surface;
         }),
