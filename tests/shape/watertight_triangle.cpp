@@ -33,9 +33,17 @@ TEST_CASE_TEMPLATE("watertight_triangle: area, and samples spread evenly over it
     check_triangle_sampling<watertight_triangle<T>>();
 }
 
-TEST_CASE_TEMPLATE("watertight_triangle: no ray leaves a closed mesh unseen", T, RAIO_NUMBERS) {
+TEST_CASE_TEMPLATE("watertight_triangle: no ray leaves a closed mesh unseen, leaks at vertices included", T,
+                   RAIO_NUMBERS) {
     check_closed_mesh(icosphere<watertight_triangle<T>>());
     check_closed_mesh(cube_of_fans<watertight_triangle<T>>());
+}
+
+TEST_CASE_TEMPLATE("watertight_triangle: far from the origin as well, and what neighbours share is one crossing", T,
+                   RAIO_NUMBERS) {
+    const vec3<double> place(148376, 1234, -223423);
+    check_closed_mesh(icosphere<watertight_triangle<T>>(), 1000, place);
+    check_closed_mesh(cube_of_fans<watertight_triangle<T>>(), 1, place);
 }
 
 TEST_CASE_TEMPLATE("watertight_triangle: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,

@@ -52,7 +52,8 @@ std::vector<Triangle> cube_of_fans() {
     using T = number_t<Triangle>;
     std::vector<vec2<T>> rim;  // around the square, from corner to corner
     for (const vec2<T> corner : {vec2<T>(-1, -1), vec2<T>(1, -1), vec2<T>(1, 1), vec2<T>(-1, 1)}) {
-        for (int i = 0; i < 4; ++i) rim.push_back(corner + vec2<T>(-corner.y, corner.x) * T(i) / T(2));
+        const vec2<T> next(-corner.y, corner.x);
+        for (int i = 0; i < 4; ++i) rim.push_back(corner + (next - corner) * T(i) / T(4));
     }
     std::vector<Triangle> mesh;
     for (const T side : {T(-1), T(1)}) {
@@ -69,29 +70,52 @@ std::vector<Triangle> cube_of_fans() {
     return mesh;
 }
 
-/// Rays from inside, aimed at vertices and at points of edges: each hits some triangle, and only backs.
+/// So much larger, and elsewhere.
 template <class Triangle>
-void check_closed_mesh(const std::vector<Triangle>& mesh) {
-    using T = number_t<Triangle>;
-    random_numbers random(12);
-    int leaks = 0, fronts = 0;
-    for (int i = 0; i < 2 * normal_run; ++i) {
-        const Triangle& t = mesh[static_cast<std::size_t>(random.integer(0, static_cast<int>(mesh.size()) - 1))];
-        const bool at_vertex = i % 2 == 0;
-        const vec3<T> target = at_vertex ? t.a : t.a + (t.b - t.a) * static_cast<T>(random.uniform());
-        const vec3<T> origin(random.one_in(4) ? vec3<double>(0) : random.direction() * random.uniform(0, 0.5));
-        const ray<T> ray{origin, target - origin};
-        bool hit = false;
-        for (const Triangle& other : mesh) {
-            if (!other.occluded(ray, T(0), infinity<T>)) continue;
-            hit = true;
-            hit_record<T> rec;
-            fronts += other.hit(ray, T(0), infinity<T>, rec) && rec.front_face;
-        }
-        if (!hit && ++leaks <= 3) FAIL_CHECK("leak, towards " << literal(t) << ", {" << literal(ray) << "}");
+std::vector<Triangle> moved(std::vector<Triangle> mesh, double size, const vec3<double>& place) {
+    for (Triangle& t : mesh) {
+        for (auto* corner : {&t.a, &t.b, &t.c}) *corner = vec3<number_t<Triangle>>(to_double(*corner) * size + place);
     }
-    CHECK(leaks == 0);
-    CHECK(fronts == 0);
+    return mesh;
+}
+
+/// Rays aimed at vertices and at points of edges of a convex mesh of size 1: from inside each meets backs alone, at one
+/// t, however many triangles share the point. From outside it meets fronts at one t and then backs at another, both at
+/// one where it touches the mesh, or nothing: no crossing is lost, and none counts twice.
+template <class Triangle>
+void check_closed_mesh(const std::vector<Triangle>& unit, double size = 1, const vec3<double>& place = {0, 0, 0}) {
+    using T = number_t<Triangle>;
+    const std::vector<Triangle> mesh = moved(unit, size, place);
+    random_numbers random(12);
+    int complaints = 0, shared = 0, through = 0;
+    for (int i = 0; i < normal_run; ++i) {
+        const Triangle& t = mesh[static_cast<std::size_t>(random.integer(0, static_cast<int>(mesh.size()) - 1))];
+        const bool at_vertex = i % 2 == 0, from_inside = i % 4 < 2;
+        const vec3<T> target = at_vertex ? t.a : t.a + (t.b - t.a) * static_cast<T>(random.uniform());
+        const double away = from_inside ? random.one_in(4) ? 0 : random.uniform(0, 0.5) : random.uniform(2, 9);
+        const vec3<T> origin(place + random.direction() * (away * size));
+        const ray<T> ray{origin, target - origin};
+        std::vector<T> fronts, backs;
+        for (const Triangle& other : mesh) {
+            hit_record<T> rec;
+            if (other.hit(ray, T(0), infinity<T>, rec)) (rec.front_face ? fronts : backs).push_back(rec.t);
+        }
+        const auto at_one_t = [](const std::vector<T>& ts) {
+            return !ts.empty() && std::ranges::count(ts, ts.front()) == std::ssize(ts);
+        };
+        const bool is_sound = from_inside ? fronts.empty() && at_one_t(backs)
+                                          : (fronts.empty() && backs.empty()) || (at_one_t(fronts) && at_one_t(backs) &&
+                                                                                  fronts.front() <= backs.front());
+        shared += fronts.size() + backs.size() > (from_inside ? 1 : 2);
+        through += !from_inside && !fronts.empty();
+        if (!is_sound && ++complaints <= 3) {
+            FAIL_CHECK("a leak, or one crossing that counts twice, towards " << literal(t) << ", {" << literal(ray)
+                                                                             << "}");
+        }
+    }
+    CHECK(complaints == 0);
+    CHECK(shared > normal_run / 20);
+    CHECK(through > normal_run / 4);
 }
 
 }  // namespace raio::test
