@@ -73,6 +73,53 @@ TEST_CASE_TEMPLATE("box: as exact arithmetic", T, RAIO_NUMBERS) {
     check_bounds_of_errors<box<T>>(normal_run / 5);
 }
 
+/// Towards a corner, an edge, or a point of a face or inside, which is met at t = 3; or from there, along every axis
+/// whose component is a zero of either sign or too small for a normal number. All components are powers of two.
+template <class T>
+probe<box<T>> probe_along_sides(random_numbers& random) {
+    constexpr T least = std::numeric_limits<T>::denorm_min(), normal = std::numeric_limits<T>::min();
+    const T tiny[] = {T(0), least, least * 8, normal / 2, normal};
+    probe<box<T>> p{};
+    const int exponent = random.integer(-9, 9), ahead = random.integer(0, 2);
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        T &low = p.shape.min[axis], &high = p.shape.max[axis], &d = p.ray.direction[axis];
+        low = std::ldexp(T(random.integer(-4, 4)), exponent);
+        high = low + std::ldexp(T(random.integer(random.one_in(8) ? 0 : 1, 4)), exponent);
+        const T to = random.one_in(3) ? low : random.one_in(2) ? high : low + (high - low) / 4;
+        const bool along = axis != ahead && random.one_in(2);
+        d = along ? tiny[random.integer(0, 4)] : std::ldexp(T(1), exponent + random.integer(0, 2));
+        if (random.one_in(2)) d = -d;
+        p.ray.origin[axis] = along ? to : to - 3 * d;
+    }
+    return p;
+}
+
+/// The oracle divides by powers of two alone, and is exact. What has no reciprocal in double counts as zero.
+TEST_CASE_TEMPLATE("box: along faces, at edges and corners, with zeros and denormal numbers for directions", T,
+                   RAIO_NUMBERS) {
+    random_numbers random(20);
+    int complaints = 0, hits = 0;
+    for (int i = 0; i < normal_run; ++i) {
+        const probe<box<T>> p = probe_along_sides<T>(random);
+        auto exact_ray = converted<oracle>(p.ray);
+        for_each_number(exact_ray.direction,
+                        [](oracle& d) { d = std::isfinite(1 / rounded<double>(d)) ? d : oracle(0); });
+        T t = infinity<T>;
+        for (const crossing<oracle>& c : all_crossings<oracle>(converted<oracle>(p.shape), exact_ray)) {
+            if (c.exists && in_window(p, rounded<T>(c.t))) t = std::min(t, rounded<T>(c.t));
+        }
+        hit_record<T> rec;
+        const bool expected = t < infinity<T>, hit = p.hit(rec);
+        std::string wrong = unsound_answer(p) + inconsistent_record(p);
+        if (hit != expected) wrong += hit ? "false hit" : "false miss";
+        if (hit && expected && rec.t != t) wrong += "t = " + literal(rec.t) + " for " + literal(t);
+        hits += hit;
+        if (!wrong.empty() && ++complaints <= 3) FAIL_CHECK(wrong << "\n    {" << literal(p) << "}");
+    }
+    CHECK(complaints == 0);
+    CHECK(hits > normal_run / 4);
+}
+
 TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const box<T> bar{{0, 0, 0}, {1, 2, 4}};
     CHECK(bar.area() == T(28));
