@@ -56,7 +56,8 @@ inline wide_node random_node(random_numbers& random, std::size_t children) {
     return node;
 }
 
-/// A ray that runs between whole numbers now and then, along sides and through edges, and along an axis as well.
+/// A ray that runs between whole numbers now and then, along sides and through edges, and along an axis as well, or all
+/// but along it.
 template <class T>
 ray<T> random_ray(random_numbers& random) {
     ray<T> r;
@@ -70,9 +71,9 @@ ray<T> random_ray(random_numbers& random) {
         r.origin[axis] = place(random.one_in(2) ? 9 : 20);
         r.direction[axis] = (place(9) - r.origin[axis]) * length;
         if (along_axis && axis != along) r.direction[axis] = random.one_in(2) ? T(0) : T(-0.0);
-        if (random.one_in(20)) r.direction[axis] *= T(1e-12);
+        if (random.one_in(20)) r.direction[axis] *= random.one_in(2) ? T(1e-12) : std::numeric_limits<T>::denorm_min();
     }
-    if (r.direction == vec3<T>(0)) r.direction[along] = length;
+    if (norm1(r.direction) < T(1e-30)) r.direction[along] = length;
     if (random.one_in(8)) r.origin = vec3<T>(0);
     return r;
 }
