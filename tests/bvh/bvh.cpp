@@ -71,7 +71,7 @@ void check_aimed(const std::vector<sphere<T>>& shapes, bvh_quality quality) {
     }
 }
 
-TEST_CASE_TEMPLATE("bvh: few shapes, or none", T, RAIO_NUMBERS) {
+TEST_CASE_TEMPLATE("bvh: few shapes, one, or none", T, RAIO_NUMBERS) {
     for (const int count : {100, 200, 300, 800, 900, 1700}) check_shape<sphere<T>>(count);
     random_numbers random(18);
     for (const int count : {1, 2, 3, 8, 9, 17}) {  // a tree of one triangle was a bug that others shipped
@@ -106,7 +106,8 @@ TEST_CASE_TEMPLATE("bvh: numbers far from 1", T, RAIO_NUMBERS) {
     }
 }
 
-TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index", T, RAIO_NUMBERS) {
+TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index (one NaN box emptied a tree)", T,
+                   RAIO_NUMBERS) {
     std::vector<sphere<T>> shapes(20, sphere<T>{{1, 2, 3}, 1});
     for (const T bad : {std::numeric_limits<T>::quiet_NaN(), infinity<T>}) {
         shapes[17].center.y = bad;
@@ -126,7 +127,9 @@ TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index", T, 
     }
 }
 
-TEST_CASE_TEMPLATE("bvh: shapes all in one place, one within the other, in a row", T, RAIO_NUMBERS) {
+TEST_CASE_TEMPLATE(
+    "bvh: shapes all in one place (equal centroids: a tree that never ended), one within the other, in a row", T,
+    RAIO_NUMBERS) {
     random_numbers random(15);
     std::vector<sphere<T>> equal(100, sphere<T>{{0, 0, 0}, 4}), nested;
     std::vector<box<T>> flat;

@@ -12,9 +12,9 @@ TEST_CASE_TEMPLATE("sphere: named cases", T, RAIO_NUMBERS) {
     const ray<T> ahead{{0, 0, 5}, {0, 0, -1}};
     check_cases<sphere<T>>({
         {"from outside", unit, ahead, enters(4)},
-        {"from behind t = 0", unit, {{0, 0, 5}, {0, 0, 1}}, misses},
+        {"from behind t = 0 (hit reported at negative t)", unit, {{0, 0, 5}, {0, 0, 1}}, misses},
         {"at negative t, when the window says so", unit, {{0, 0, 5}, {0, 0, 1}}, enters(-6), -10, 0},
-        {"from the centre", unit, {{0, 0, 0}, {0, 0, -1}}, leaves(1)},
+        {"from the centre (normal from inside pointing out)", unit, {{0, 0, 0}, {0, 0, -1}}, leaves(1)},
         {"from inside", unit, {{0, 0, 0.5}, {0, 0, -1}}, leaves(1.5)},
         {"from the surface inwards", unit, {{0, 0, 1}, {0, 0, -1}}, enters(0)},
         {"from the surface inwards, later", unit, {{0, 0, 1}, {0, 0, -1}}, leaves(2), 0x1p-60},
@@ -40,7 +40,7 @@ TEST_CASE_TEMPLATE("sphere: named cases", T, RAIO_NUMBERS) {
         {"window ends at the first crossing", unit, ahead, enters(4), 0, 4},
         {"window begins at the second crossing", unit, ahead, leaves(6), 6},
         {"window turned around", unit, ahead, misses, 5, 3},
-        {"window that is not a number", unit, ahead, misses, nan<T>},
+        {"window that is not a number (accepted as a hit)", unit, ahead, misses, nan<T>},
         {"window without a number for an end", unit, ahead, misses, 0, nan<T>},
         {"radius zero", {{0, 0, 0}, 0}, ahead, misses},
         {"radius below zero", {{0, 0, 0}, -1}, ahead, misses},

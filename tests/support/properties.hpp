@@ -38,7 +38,8 @@ std::string unsound_fields(const hit_record<T>& rec) {
     return "";
 }
 
-/// hit and occluded agree, a miss leaves the record alone, and a hit fills it with sound values and a t in the window.
+/// hit and occluded agree (hit and shadow paths that disagree were a bug that others shipped), a miss leaves the record
+/// alone, and a hit fills it with sound values and a t in the window.
 template <class Shape>
 std::string unsound_answer(const probe<Shape>& p) {
     using T = number_t<Shape>;
