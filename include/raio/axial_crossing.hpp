@@ -40,7 +40,7 @@ RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>
 /// The chord through the slab between the two planes that the caps lie in.
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
-    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+    vec3<W> axis = difference_as<W>(top, base);
     return cross_slab(axis, height_above<W>(axis, base, ray.origin), height_above<W>(axis, top, ray.origin),
                       vec3<W>(ray.direction));
 }
@@ -48,7 +48,7 @@ RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& 
 /// The chord below the plane of the upper cap alone.
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
-    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+    vec3<W> axis = difference_as<W>(top, base);
     auto above = height_above<W>(axis, top, ray.origin);
     crossing<W> plane = cross_plane(axis, vec3<W>(ray.direction), above.value, above.error);
     const mask_t<W> parallel = !plane.exists, upward = !plane.entering, yes = W(0) == W(0);
@@ -100,7 +100,7 @@ template <class X, class W, real T, class Side>
 RAIO_FN constexpr crossing<W> correct_axial(const vec3<T>& base, const vec3<T>& top, const nearby_ray<X, W>& ray,
                                             const crossing<W>& c, Side side) {
     if (c.face == 0) return side();
-    return correct_plane(vec3<X>(top) - vec3<X>(base), c.face == 1 ? base : top, ray);
+    return correct_plane(difference_as<X>(top, base), c.face == 1 ? base : top, ray);
 }
 
 /// What all of them record: the normal and uv of the face that was hit.
@@ -112,8 +112,8 @@ RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, co
                                      const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec,
                                      SideGradient side_gradient) {
     using Q = working_t<N>;
-    vec3<W> axis = vec3<W>(top) - vec3<W>(base), d(ray.direction);
-    vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + d * c.t;
+    vec3<W> axis = difference_as<W>(top, base), d(ray.direction);
+    vec3<W> from_base = difference_as<W>(ray.origin, base) + d * c.t;
     W height = dot(from_base, axis) / dot(axis, axis);
     vec3<W> across = from_base - axis * height;
     const mask_t<T> side = c.face == index_t<T>(0), low = c.face == index_t<T>(1);

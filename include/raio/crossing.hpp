@@ -118,6 +118,12 @@ RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value
             .entering = slope.value < W(0)};
 }
 
+/// The point at t, as seen from another.
+template <class W, real R, real T>
+RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, const W& t) {
+    return difference_as<W>(ray.origin, base) + product_as<W>(ray.direction, t);
+}
+
 /// Is nothing left to find out: does every lane's line miss, beyond doubt?
 template <class W>
 RAIO_FN constexpr bool missed(const chord<W>& c) {

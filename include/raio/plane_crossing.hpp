@@ -34,7 +34,7 @@ struct plane_height {
 template <class W, real T, real R>
 RAIO_FN constexpr plane_height<W> height_above(const vec3<W>& normal, const vec3<T>& point, const vec3<R>& origin) {
     using E = bound_t<W>;
-    vec3<W> from_point = vec3<W>(origin) - vec3<W>(point);
+    vec3<W> from_point = difference_as<W>(origin, point);
     E terms = dot(abs(vec3<E>(normal)), abs(vec3<E>(from_point)));
     return {dot(normal, from_point), with_underflow<W>(E(5 * unit_roundoff<W>) * terms)};
 }
@@ -61,7 +61,7 @@ struct crossing_about {
 template <class W, real T, real R>
 RAIO_FN constexpr crossing_about<W> cross_plane_about(const vec3<T>& center, const vec3<T>& normal, const ray<R>& ray) {
     using E = bound_t<W>;
-    vec3<W> n(normal), d(ray.direction), l = vec3<W>(ray.origin) - vec3<W>(center);
+    vec3<W> n(normal), d(ray.direction), l = difference_as<W>(ray.origin, center);
     auto height = height_above<W>(n, center, ray.origin);
     crossing<W> c = cross_plane(n, d, height.value, height.error);
     vec3<W> step = d * c.t, from_center = l + step;

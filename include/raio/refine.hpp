@@ -21,13 +21,14 @@ struct nearby_point {
 /// A ray that has gone a step, in the precision of X, to a point close to its crossing.
 template <class X, class W>
 struct nearby_ray {
-    vec3<X> origin, step;
+    vec3<W> origin;
+    vec3<X> step;
     vec3<W> direction;
 
     template <real T>
     RAIO_FN constexpr nearby_point<X> seen_from(const vec3<T>& base) const {
         using E = bound_t<X>;
-        vec3<X> from_base = origin - vec3<X>(base);
+        vec3<X> from_base = difference_as<X>(origin, base);
         E terms = norm1(vec3<E>(from_base)) + norm1(vec3<E>(step));
         return {from_base + step, E(4 * unit_roundoff<X>) * terms};
     }
@@ -48,10 +49,9 @@ RAIO_FN constexpr crossing<W> newton_step(const X& value, const bound_t<X>& valu
 template <class X, class Shape, real R, class W>
 RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, const crossing<W>& c) {
     using E = bound_t<X>;
-    vec3<X> direction(ray.direction);
-    nearby_ray<X, W> nearby{vec3<X>(ray.origin), direction * X(c.t), vec3<W>(direction)};
+    nearby_ray<X, W> nearby{vec3<W>(ray.origin), product_as<X>(ray.direction, c.t), vec3<W>(ray.direction)};
     crossing<W> missing = shape.correction(nearby, c);
-    X t = X(c.t) + X(missing.t);
+    X t = sum_as<X>(c.t, missing.t);
     E error = missing.error + E(4 * unit_roundoff<X>) * abs(E(t));
     // What cannot be told from a number of W is that number: simple rays meet simple shapes at simple points.
     W simple(t);

@@ -68,7 +68,7 @@ RAIO_FN constexpr verdict<W> settled_in_window(const chord<W>& c, T t_min, T t_m
 /// Is t certain to the last bit of T: do both ends of its error round to the same?
 template <real T, class W>
 RAIO_FN constexpr bool rounds_to_one(const crossing<W>& c) {
-    return T(c.t - c.error) == T(c.t + c.error);
+    return T(sum_as<W>(-c.error, c.t)) == T(sum_as<W>(c.error, c.t));
 }
 
 /// Is there a quicker precision, and does it hold the numbers of the ray without rounding them?
@@ -81,6 +81,16 @@ template <class Shape, class X, class W>
 concept correctable = requires(const Shape shape, const nearby_ray<X, W> ray, const crossing<W> c) {
     shape.correction(ray, c);
 };
+
+/// Is there no use in asking whether a quick t is certain to its last bit? It has no more bits than T.
+template <class Shape, class T>
+concept always_refined = correctable<Shape, exact_t<T>, working_t<T>> && std::same_as<wider_t<T>, exact_t<T>>;
+
+/// Is a refined crossing beyond doubt: inside the window, and to the last bit of T?
+template <real T, class X>
+RAIO_FN constexpr bool is_settled(const crossing<X>& fine, T t_min, T t_max) {
+    return fine.certain && rounds_to_one<T>(fine) && in_window(fine, t_min, t_max);
+}
 
 /// The same question, if the quick crossing has not answered it: what is missing of that is added, or the exact formula
 /// decides. Out of line, and without what is known already: where this is rare, it must not cost the common case its
@@ -96,7 +106,7 @@ template <real T, class Shape, real R, class Then>
             // Whatever the window is, and whatever is asked, it is the same crossing that is found.
             if (quick.certain && quick.exists) {
                 auto fine = refined<X>(shape, ray, quick);
-                if (fine.certain && rounds_to_one<T>(fine) && in_window(fine, t_min, t_max)) return then(fine);
+                if (is_settled(fine, t_min, t_max)) return then(fine);
             }
         }
         auto exact = first_in_window(shape.template crossings<X>(ray), t_min, t_max);
@@ -113,9 +123,20 @@ template <question Asked, real T, class Shape, real R, class Then>
 RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T, R>) {
         keep_as_stored<T>(shape, ray);
-        auto [quick, known] = settled_in_window<Asked>(shape.template crossings<working_t<T>>(ray), t_min, t_max);
-        if (known) [[likely]]
-            return then(quick);
+        auto quick = shape.template crossings<working_t<T>>(ray);
+        if constexpr (Asked == question::where && always_refined<Shape, T>) {
+            auto [first, known] = settled_in_window<question::whether>(quick, t_min, t_max);
+            if (known && !first.exists) return false;
+            if (every(first.certain, first.exists)) [[likely]] {
+                auto fine = refined<exact_t<T>>(shape, ray, first);
+                if (is_settled(fine, t_min, t_max)) [[likely]]
+                    return then(fine);
+            }
+        } else {
+            auto [first, known] = settled_in_window<Asked>(quick, t_min, t_max);
+            if (known) [[likely]]
+                return then(first);
+        }
     }
     return settle_closer(shape, ray, t_min, t_max, then);
 }
@@ -169,7 +190,7 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
 template <real T, real N, real R, class W>
 RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec, T bend = T(0)) {
     rec.t = T(c.t) + T(0);  // never -0
-    rec.point = vec3<T>(vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t);
+    rec.point = vec3<T>(sum_as<W>(ray.origin, product_as<W>(ray.direction, c.t)));
 
     // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
     // rounding of the point to T. The smallest normal number stands for all that underflows.

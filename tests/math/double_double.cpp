@@ -31,6 +31,12 @@ TEST_CASE("double_double: the error of every operation is below 2^-100") {
         product = std::max(product, error_of(a * b, x * y, x * y));
         quotient = std::max(quotient, error_of(a / b, x / y, x / y));
         root = std::max(root, error_of(sqrt(abs(a)), sqrt(abs(x)), sqrt(abs(x))));
+
+        const double one_part = static_cast<double>(a);
+        const oracle z(one_part);
+        sum = std::max(sum, error_of(sum_as<double_double>(one_part, b), z + y, larger));
+        difference = std::max(difference, error_of(difference_as<double_double>(one_part, b), z - y, larger));
+        product = std::max(product, error_of(product_as<double_double>(one_part, b), z * y, z * y));
     }
     CHECK(sum < 0x1p-100);
     CHECK(difference < 0x1p-100);
@@ -45,6 +51,9 @@ TEST_CASE("double_double: sums and products of doubles have no error") {
         const double a = random.uniform(-1, 1), b = random.log_uniform(1e-15, 1);
         REQUIRE(exactly(double_double(a) + double_double(b)) == oracle(a) + oracle(b));
         REQUIRE(exactly(double_double(a) * double_double(b)) == oracle(a) * oracle(b));
+        REQUIRE(exactly(sum_as<double_double>(a, b)) == oracle(a) + oracle(b));
+        REQUIRE(exactly(difference_as<double_double>(a, b)) == oracle(a) - oracle(b));
+        REQUIRE(exactly(product_as<double_double>(a, b)) == oracle(a) * oracle(b));
     }
 }
 
@@ -79,6 +88,9 @@ TEST_CASE("double_double: what is not finite stays so, and a NaN compares with n
     const double_double inf(infinite), nan(std::numeric_limits<double>::quiet_NaN()), one(1), huge(1e300);
     for (const double_double& x : {inf + one, one - inf, inf * one, huge * huge, nan + one, nan * one, inf - inf}) {
         CHECK(!std::isfinite(static_cast<double>(x)));
+    }
+    for (const double_double& other : {one, double_double(infinite)}) {
+        CHECK((sum_as<double_double>(infinite, other) == inf && sum_as<double_double>(infinite, 1.0) == inf));
     }
     CHECK((inf / one == inf && -inf < one && one < inf && sqrt(inf) == inf &&
            sqrt(double_double(0)) == double_double(0)));

@@ -86,7 +86,7 @@ public:
 private:
     template <real R>
     RAIO_FN constexpr raio::ray<W> mapped_back(const raio::ray<R>& ray) const {
-        return {inverse_(vec3<W>(ray.origin) - vec3<W>(map_.origin)), inverse_(vec3<W>(ray.direction))};
+        return {inverse_(difference_as<W>(ray.origin, map_.origin)), inverse_(vec3<W>(ray.direction))};
     }
 
     template <real N>

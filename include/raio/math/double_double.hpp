@@ -46,6 +46,21 @@ public:
         const double cross_terms = detail::rounded_product(a.high_, b.low_) + detail::rounded_product(a.low_, b.high_);
         return renormalized(product.high_, product.low_ + cross_terms);
     }
+    // With numbers of one part less is to be computed; see sum_as and product_as.
+    RAIO_FN static constexpr double_double sum(double a, double b) {
+        const double_double sum = exact_sum(a, b);
+        return raio::is_finite(sum.high_) ? sum : double_double(sum.high_);
+    }
+    RAIO_FN static constexpr double_double sum(double a, double_double b) {
+        const double_double sum = exact_sum(a, b.high_);
+        return raio::is_finite(sum.high_) ? renormalized(sum.high_, sum.low_ + b.low_) : double_double(sum.high_);
+    }
+    RAIO_FN static constexpr double_double product(double a, double b) { return exact_product(a, b); }
+    RAIO_FN static constexpr double_double product(double a, double_double b) {
+        const double_double product = exact_product(a, b.high_);
+        return renormalized(product.high_, product.low_ + detail::rounded_product(a, b.low_));
+    }
+
     RAIO_NO_CLONES RAIO_FN friend constexpr double_double operator/(double_double a, double_double b) {
         const double quotient = a.high_ / b.high_;
         if (!raio::is_finite(quotient) || !raio::is_finite(b.high_)) return quotient;
@@ -133,6 +148,47 @@ template <>
 struct real_traits<double_double> : detail::one_number<double_double> {
     using bound = strict_double;
 };
+
+namespace detail {
+
+/// Is it a number that one double holds?
+template <class T>
+inline constexpr bool one_double = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, strict_double>;
+
+}  // namespace detail
+
+/// a + b in the precision of W. A double_double has it for half the price where `a` is one double, and for a third
+/// where both are.
+template <class W, real A, real B>
+RAIO_FN constexpr W sum_as(const A& a, const B& b) {
+    if constexpr (std::same_as<W, double_double> && detail::one_double<A>) {
+        using one_or_two = std::conditional_t<detail::one_double<B>, double, double_double>;
+        return double_double::sum(static_cast<double>(a), static_cast<one_or_two>(b));
+    } else {
+        return W(a) + W(b);
+    }
+}
+
+/// a - b in the precision of W.
+template <class W, real A, real B>
+RAIO_FN constexpr W difference_as(const A& a, const B& b) {
+    if constexpr (std::same_as<W, double_double>) {
+        return sum_as<W>(a, -b);
+    } else {
+        return W(a) - W(b);
+    }
+}
+
+/// a b in the precision of W.
+template <class W, real A, real B>
+RAIO_FN constexpr W product_as(const A& a, const B& b) {
+    if constexpr (std::same_as<W, double_double> && detail::one_double<A>) {
+        using one_or_two = std::conditional_t<detail::one_double<B>, double, double_double>;
+        return double_double::product(static_cast<double>(a), static_cast<one_or_two>(b));
+    } else {
+        return W(a) * W(b);
+    }
+}
 
 }  // namespace raio
 

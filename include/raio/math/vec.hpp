@@ -27,6 +27,20 @@ RAIO_FN constexpr vec3<T> cross(const vec3<T>& a, const vec3<T>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// a + b, a - b and a s in the precision of W, as those of numbers.
+template <class W, real A, real B>
+RAIO_FN constexpr vec3<W> sum_as(const vec3<A>& a, const vec3<B>& b) {
+    return {sum_as<W>(a.x, b.x), sum_as<W>(a.y, b.y), sum_as<W>(a.z, b.z)};
+}
+template <class W, real A, real B>
+RAIO_FN constexpr vec3<W> difference_as(const vec3<A>& a, const vec3<B>& b) {
+    return {difference_as<W>(a.x, b.x), difference_as<W>(a.y, b.y), difference_as<W>(a.z, b.z)};
+}
+template <class W, real A, real B>
+RAIO_FN constexpr vec3<W> product_as(const vec3<A>& a, const B& s) {
+    return {product_as<W>(a.x, s), product_as<W>(a.y, s), product_as<W>(a.z, s)};
+}
+
 template <real T>
 RAIO_FN constexpr vec3<T> abs(const vec3<T>& a) {
     return {abs(a.x), abs(a.y), abs(a.z)};
@@ -63,10 +77,13 @@ RAIO_FN constexpr vec3<T> scaled_into_range(const vec3<T>& a) {
     if constexpr (limits::max_exponent / 8 >= std::numeric_limits<scalar_t<From>>::max_exponent) {
         return a;
     } else {
+        using E = bound_t<T>;
         constexpr bool single = std::same_as<scalar_t<T>, float>;
         constexpr double large = single ? 0x1p50 : 0x1p500, shrink = single ? 0x1p-100 : 0x1p-600;
-        T size = norm1(a), grown = select(size < T(1 / large), T(1 / shrink), T(1));
-        return a * select(size > T(large), T(shrink), grown);
+        E size = norm1(vec3<E>(a));
+        const mask_t<T> fits = every(E(1 / large) <= size, size <= E(large));
+        if (all(fits)) return a;
+        return a * select(fits, T(1), select(size < E(1), T(1 / shrink), T(shrink)));
     }
 }
 

@@ -103,7 +103,7 @@ struct bezier_curve {
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
         const W u = c.uv.x;
-        vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(p0)) + vec3<W>(ray.direction) * c.t, ahead(W(0));
+        vec3<W> from_center = seen_from(p0, ray, c.t), ahead(W(0));
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const polynomial<W, 3> center = coordinate<W>(axis);
             from_center[axis] -= center(u), ahead[axis] = center.derivative()(u);

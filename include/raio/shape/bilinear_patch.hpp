@@ -173,7 +173,7 @@ private:
     };
     template <class W>
     RAIO_FN constexpr edge_vectors<W> edges() const {
-        vec3<W> u = vec3<W>(p10) - vec3<W>(p00), v = vec3<W>(p01) - vec3<W>(p00), far = vec3<W>(p11) - vec3<W>(p10);
+        vec3<W> u = difference_as<W>(p10, p00), v = difference_as<W>(p01, p00), far = difference_as<W>(p11, p10);
         return {u, v, far - v, abs(far) + abs(v)};
     }
 

@@ -50,7 +50,7 @@ struct capsule {
         c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
         c = detail::with_round_ends(c, low_end(), high_end(), ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
-        vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+        vec3<W> axis = difference_as<W>(top, base);
         const mask_t<W> slim = W(radius) * W(radius) < W(0x1p-120) * dot(axis, axis);
         const mask_t<W> sound = every(is_finite(base), is_finite(top), !slim);
         c.near.exists = every(c.near.exists, sound);
@@ -68,11 +68,11 @@ struct capsule {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
-        vec3<W> axis = vec3<W>(top) - vec3<W>(base), step = vec3<W>(ray.direction) * c.t;
-        vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + step;
+        vec3<W> axis = difference_as<W>(top, base), step = product_as<W>(ray.direction, c.t);
+        vec3<W> from_base = difference_as<W>(ray.origin, base) + step;
         W axis2 = dot(axis, axis), along = quotient(dot(from_base, axis), axis2, W(0));
         // At the upper end, which may be far from the base, the distance is measured from there.
-        vec3<W> from_top = (vec3<W>(ray.origin) - vec3<W>(top)) + step, beside = from_base - axis * max(W(0), along);
+        vec3<W> from_top = difference_as<W>(ray.origin, top) + step, beside = from_base - axis * max(W(0), along);
         vec3<Q> from_axis(select(along >= W(1), from_top, beside));
         vec3<N> outward(normalize(from_axis));
         record_point(ray, c, rec, radius);

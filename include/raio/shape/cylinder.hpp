@@ -31,7 +31,7 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
                                                   const ray<R>& ray) {
     using E = bound_t<W>;
     constexpr double u = unit_roundoff<W>, least = least_normal<W>;
-    vec3<W> d(ray.direction), axis = vec3<W>(top) - vec3<W>(base), l = vec3<W>(base) - vec3<W>(ray.origin);
+    vec3<W> d(ray.direction), axis = difference_as<W>(top, base), l = difference_as<W>(base, ray.origin);
     vec3<W> n = cross(d, axis);
     W r(radius), r2 = r * r, a = dot(n, n), axis2 = dot(axis, axis), d2 = dot(d, d), zero(0);
     W passed = dot(l, n), ar2 = a * r2, passed2 = passed * passed, s2 = ar2 - passed2;
@@ -85,7 +85,7 @@ RAIO_FN constexpr crossing<W> correct_cylinder(const vec3<T>& base, const vec3<T
                                                const nearby_ray<X, W>& ray, const crossing<W>& c) {
     return correct_axial(base, top, ray, c, [&] {
         X r(radius), zero(0);
-        const revolved_quadric<X> side{vec3<X>(top) - vec3<X>(base), X(1), r * r, zero, zero, zero, r};
+        const revolved_quadric<X> side{difference_as<X>(top, base), X(1), r * r, zero, zero, zero, r};
         return correct_quadric(side, ray.seen_from(base), ray.direction, c);
     });
 }

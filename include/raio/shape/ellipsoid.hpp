@@ -36,7 +36,7 @@ struct ellipsoid {
 
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        vec3<W> stretch = to_sphere<W>(), to_center = vec3<W>(center) - vec3<W>(ray.origin);
+        vec3<W> stretch = to_sphere<W>(), to_center = difference_as<W>(center, ray.origin);
         chord<W> c = cross_sphere<2>(stretch * to_center, stretch * vec3<W>(ray.direction), W(radii.x) * stretch.x);
         const mask_t<T> sound = every(radii.x > T(0), radii.y > T(0), radii.z > T(0));
         c.near.exists = every(c.near.exists, sound);
@@ -57,7 +57,7 @@ struct ellipsoid {
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
         vec3<W> stretch = to_sphere<W>();
-        vec3<W> on_sphere = ((vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t) * stretch;
+        vec3<W> on_sphere = seen_from(center, ray, c.t) * stretch;
         vec3<N> outward(normalize_from<T>(vec3<Q>(on_sphere * stretch)));
         const T longest = max(radii.x, max(radii.y, radii.z)), shortest = min(radii.x, min(radii.y, radii.z));
         record_point(ray, c, rec, min(longest * (longest / shortest), T(std::numeric_limits<scalar_t<T>>::max() / 4)));

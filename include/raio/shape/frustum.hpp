@@ -69,7 +69,7 @@ template <class W, real T, real R, real N>
 RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, const ray<R>& ray,
                                        const crossing<W>& c, hit_record<T, N>& rec) {
     using E = bound_t<W>;
-    vec3<W> axis = vec3<W>(top) - vec3<W>(base), d(ray.direction);
+    vec3<W> axis = difference_as<W>(top, base), d(ray.direction);
     W axis2 = dot(axis, axis), r(radii.x), widening = W(radii.y) - r;
     const auto gradient = [&](const vec3<W>& from_axis, const W& height) {
         vec3<W> off = from_axis - axis * (widening * (r + widening * height) / axis2);

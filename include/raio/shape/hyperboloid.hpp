@@ -49,14 +49,14 @@ RAIO_FN constexpr hyperboloid_side<W> two_sheets(T gap, T end_radius) {
 template <class W, real T>
 RAIO_FN constexpr revolved_quadric<W> endless_hyperboloid(const vec3<T>& base, const vec3<T>& top,
                                                           const hyperboloid_side<W>& side) {
-    return {vec3<W>(top) - vec3<W>(base), side.v, side.c0, W(0), side.c2, -side.c0 * side.c2, side.radius};
+    return {difference_as<W>(top, base), side.v, side.c0, W(0), side.c2, -side.c0 * side.c2, side.radius};
 }
 
 /// Where the line is inside the endless hyperboloid.
 template <class W, real T, real R>
 RAIO_FN constexpr quadric_chord<W> cross_endless_hyperboloid(const vec3<T>& base, const vec3<T>& top,
                                                              const hyperboloid_side<W>& side, const ray<R>& ray) {
-    vec3<W> to_base = vec3<W>(base) - vec3<W>(ray.origin), to_top = vec3<W>(top) - vec3<W>(ray.origin);
+    vec3<W> to_base = difference_as<W>(base, ray.origin), to_top = difference_as<W>(top, ray.origin);
     vec3<W> to_center = (to_base + to_top) * W(0.5);
     bound_t<W> far = norm1(vec3<bound_t<W>>(to_base)) + norm1(vec3<bound_t<W>>(to_top));
     return cross_quadric(endless_hyperboloid(base, top, side), to_center, far, vec3<W>(ray.direction));
@@ -118,7 +118,7 @@ template <class W, real T, real R, real N>
 RAIO_FN constexpr void hyperboloid_surface(const vec3<T>& base, const vec3<T>& top, T end_radius,
                                            const hyperboloid_side<W>& side, const ray<R>& ray, const crossing<W>& c,
                                            hit_record<T, N>& rec) {
-    vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+    vec3<W> axis = difference_as<W>(top, base);
     W slope = side.c2 / (side.v * dot(axis, axis));
     axial_surface(
         base, top, vec2<T>(end_radius), T(side.radius) + norm1(vec3<T>(axis)), ray, c, rec,

@@ -22,14 +22,14 @@ namespace detail {
 template <class W, real T>
 RAIO_FN constexpr revolved_quadric<W> endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, T radius) {
     W r(radius), r2 = r * r, zero(0);
-    return {vec3<W>(top) - vec3<W>(vertex), W(1), zero, r2, zero, W(0.25) * r2 * r2, r};
+    return {difference_as<W>(top, vertex), W(1), zero, r2, zero, W(0.25) * r2 * r2, r};
 }
 
 /// The chord through the endless paraboloid.
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, T radius,
                                                     const ray<R>& ray) {
-    vec3<W> to_center = vec3<W>(vertex) - vec3<W>(ray.origin);
+    vec3<W> to_center = difference_as<W>(vertex, ray.origin);
     return cross_quadric(endless_paraboloid<W>(vertex, top, radius), to_center, norm1(vec3<bound_t<W>>(to_center)),
                          vec3<W>(ray.direction))
         .ends;
@@ -48,7 +48,7 @@ RAIO_FN constexpr crossing<W> correct_paraboloid(const vec3<T>& vertex, const ve
 template <class W, real T, real R, real N>
 RAIO_FN constexpr void paraboloid_surface(const vec3<T>& vertex, const vec3<T>& top, T radius, const ray<R>& ray,
                                           const crossing<W>& c, hit_record<T, N>& rec) {
-    vec3<W> axis = vec3<W>(top) - vec3<W>(vertex);
+    vec3<W> axis = difference_as<W>(top, vertex);
     vec3<W> down = axis * (W(0.5) * W(radius) * W(radius) / dot(axis, axis));
     axial_surface(vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)), ray, c, rec,
                   [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });

@@ -65,7 +65,7 @@ struct round_cone {
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = detail::with_round_ends(cross_side<W>(ray), low_end(), high_end(), ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
-        vec3<W> axis = vec3<W>(top) - vec3<W>(base);
+        vec3<W> axis = difference_as<W>(top, base);
         const T lesser = min(base_radius, top_radius);
         const mask_t<W> slim = W(lesser) * W(lesser) < W(0x1p-120) * dot(axis, axis);
         const mask_t<W> sound =
@@ -87,9 +87,9 @@ struct round_cone {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
-        vec3<W> axis = vec3<W>(top) - vec3<W>(base), step = vec3<W>(ray.direction) * c.t;
-        vec3<W> from_base = (vec3<W>(ray.origin) - vec3<W>(base)) + step;
-        vec3<W> from_top = (vec3<W>(ray.origin) - vec3<W>(top)) + step;
+        vec3<W> axis = difference_as<W>(top, base), step = product_as<W>(ray.direction, c.t);
+        vec3<W> from_base = difference_as<W>(ray.origin, base) + step;
+        vec3<W> from_top = difference_as<W>(ray.origin, top) + step;
         // Which of the spheres that were swept the point lies on: 0 the base's, 1 the top's.
         W narrowing = W(base_radius) - W(top_radius), axis2 = dot(axis, axis), apart = axis2 - narrowing * narrowing;
         W along = dot(from_base, axis), only = select(narrowing < W(0), W(1), W(0));
@@ -140,13 +140,13 @@ private:
         revolved_quadric<W> surface;
 
         RAIO_FN constexpr explicit touching_cone(const round_cone& s) : radius(s.base_radius) {
-            vec3<W> axis = vec3<W>(s.top) - vec3<W>(s.base);
+            vec3<W> axis = difference_as<W>(s.top, s.base);
             W axis2 = dot(axis, axis);
             widening = W(s.top_radius) - radius;
             apart = axis2 - widening * widening;
             if (!all(axis2 >= W(8) * (axis2 - apart))) {  // D cancels where it is wide: there it takes more digits
                 using X = exact_t<T>;
-                vec3<X> exact_axis = vec3<X>(s.top) - vec3<X>(s.base);
+                vec3<X> exact_axis = difference_as<X>(s.top, s.base);
                 X exact_widening = X(s.top_radius) - X(s.base_radius), exact_axis2 = dot(exact_axis, exact_axis);
                 axis2 = W(exact_axis2), apart = W(exact_axis2 - exact_widening * exact_widening);
             }
@@ -162,7 +162,7 @@ private:
         using E = bound_t<W>;
         const round_cone s = narrow_first();
         const touching_cone<W> cone(s);
-        vec3<W> axis = cone.surface.axis, d(ray.direction), to_center = vec3<W>(s.base) - vec3<W>(ray.origin);
+        vec3<W> axis = cone.surface.axis, d(ray.direction), to_center = difference_as<W>(s.base, ray.origin);
         W r = cone.radius, widening = cone.widening, apart = cone.apart, axis2 = dot(axis, axis);
         const mask_t<W> sided = apart > W(0);
         chord<W> c = detail::one_nappe(cross_quadric(cone.surface, to_center, norm1(vec3<E>(to_center)), d),

@@ -44,7 +44,7 @@ struct sphere {
 
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        return cross_sphere<1>(vec3<W>(center) - vec3<W>(ray.origin), vec3<W>(ray.direction), W(radius));
+        return cross_sphere<1>(difference_as<W>(center, ray.origin), vec3<W>(ray.direction), W(radius));
     }
 
     template <class X, class W>
@@ -55,7 +55,7 @@ struct sphere {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
-        vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
+        vec3<W> from_center = seen_from(center, ray, c.t);
         vec3<N> outward(normalize_from<T>(vec3<Q>(from_center)));
         record_point(ray, c, rec, radius);
         rec.normal = outward * select(c.entering, N(1), N(-1));

@@ -70,7 +70,7 @@ struct steiner {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
+        vec3<W> from_center = seen_from(center, ray, c.t);
         vec3<W> p = from_center * (W(1) / W(size)), squares = p * p;
         vec3<W> gradient(W(2) * p.x * (squares.y + squares.z) - p.y * p.z,
                          W(2) * p.y * (squares.z + squares.x) - p.z * p.x,

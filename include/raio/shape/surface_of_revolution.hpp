@@ -37,7 +37,7 @@ struct revolved_segment {
     }
     template <class W, real R>
     RAIO_FN constexpr raio::ray<W> seen_from_base(const ray<R>& ray) const {
-        return {vec3<W>(ray.origin) - vec3<W>(base), vec3<W>(ray.direction)};
+        return {difference_as<W>(ray.origin, base), vec3<W>(ray.direction)};
     }
 
     template <class W, real R>
@@ -116,7 +116,7 @@ struct revolved_curve {
         using Q = working_t<N>;
         const auto curve = beside_axis<W>();
         const W s = c.uv.x;
-        vec3<W> p = (vec3<W>(ray.origin) - vec3<W>(base)) + vec3<W>(ray.direction) * c.t;
+        vec3<W> p = seen_from(base, ray, c.t);
         const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x));
         const T high = max(max(abs(p0.y), abs(p1.y)), max(abs(p2.y), abs(p3.y)));
         const T size = widest + norm1(axis) * high;

@@ -65,8 +65,8 @@ struct teardrop {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
-        vec3<W> axis = vec3<W>(tip) - vec3<W>(bottom);
-        vec3<W> p = (vec3<W>(ray.origin) - vec3<W>(bottom)) + vec3<W>(ray.direction) * c.t;
+        vec3<W> axis = difference_as<W>(tip, bottom);
+        vec3<W> p = seen_from(bottom, ray, c.t);
         W over_axis2 = W(1) / dot(axis, axis), h = dot(p, axis) * over_axis2, below = W(1) - h, r(radius);
         vec3<W> from_axis = p - axis * h;
         // Half the gradient, times the square of the radius.
@@ -85,7 +85,7 @@ private:
     /// f along the line.
     template <class W, std::size_t N>
     RAIO_FN constexpr polynomial<W, 4 * N> along(const std::array<polynomial<W, N>, 3>& point) const {
-        vec3<W> axis = vec3<W>(tip) - vec3<W>(bottom);
+        vec3<W> axis = difference_as<W>(tip, bottom);
         W over_axis2 = W(1) / dot(axis, axis), over_r = W(1) / W(radius);
         const auto &x = point[0], &y = point[1], &z = point[2];
         const auto a = constant(axis.x, 1), b = constant(axis.y, 1), c = constant(axis.z, 1);

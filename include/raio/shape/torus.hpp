@@ -74,7 +74,7 @@ struct torus {
         using E = bound_t<W>;
         constexpr double u = unit_roundoff<W>, least = least_normal<W>;
         crossing_list<W, 4> list;
-        vec3<W> d(ray.direction), l = vec3<W>(center) - vec3<W>(ray.origin), a(axis), moment = cross(l, d);
+        vec3<W> d(ray.direction), l = difference_as<W>(center, ray.origin), a(axis), moment = cross(l, d);
         // A little more than the bounding sphere, so that the line's ends are clearly outside.
         W d2 = dot(d, d), a2 = dot(a, a), size = (W(major_radius) + W(minor_radius)) * W(1 + 0x1p-10);
         W reach2 = d2 * size * size - dot(moment, moment);
@@ -142,7 +142,7 @@ struct torus {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
-        vec3<W> from_center = (vec3<W>(ray.origin) - vec3<W>(center)) + vec3<W>(ray.direction) * c.t;
+        vec3<W> from_center = seen_from(center, ray, c.t);
         const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
         vec3<Q> p = f.to_local(vec3<Q>(from_center));
         Q rho = sqrt(p.x * p.x + p.y * p.y), inside = Q(1) - quotient(Q(major_radius), rho, Q(0));

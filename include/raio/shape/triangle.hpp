@@ -54,12 +54,12 @@ struct triangle {
 
     template <class X, class W>
     RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& at) const {
-        return correct_edges(a, vec3<X>(b) - vec3<X>(a), vec3<X>(c) - vec3<X>(a), ray, at);
+        return correct_edges(a, difference_as<X>(b, a), difference_as<X>(c, a), ray, at);
     }
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
-        vec3<W> e1 = vec3<W>(b) - vec3<W>(a), e2 = vec3<W>(c) - vec3<W>(a);
+        vec3<W> e1 = difference_as<W>(b, a), e2 = difference_as<W>(c, a);
         record_flat(corners(), e1, e2, ray, at, rec);
         const T u = max(T(0), min(T(1), T(at.uv.x)));
         rec.uv = {u, max(T(0), min(T(1) - u, T(at.uv.y)))};
