@@ -5,6 +5,7 @@
 #include "support/accuracy.hpp"
 #include "support/cases.hpp"
 #include "support/frusta.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
 
@@ -184,7 +185,7 @@ TEST_CASE_TEMPLATE("surface of revolution: a ring across an axis has one coordin
     check_face_across_x(surface_of_revolution<T>{{1, 0, 0}, {2, 0, 0}, {{0, -0.5}, {1, -0.5}}});
 }
 
-TEST_CASE_TEMPLATE("surface of revolution: uv and area, and points that lie on it", T, RAIO_NUMBERS) {
+TEST_CASE_TEMPLATE("surface of revolution: uv and area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const surface_of_revolution<T> cup = goblet<T>();
     const frame<T> f = frame_about(vec3<T>(0, 1, 0));
     hit_record<T> rec;
@@ -201,17 +202,25 @@ TEST_CASE_TEMPLATE("surface of revolution: uv and area, and points that lie on i
 
     const surface_of_revolution<T> can{{1, 2, 3}, {0, 0, 2}, {{0, 0}, {3, 0}, {3, 2}, {0, 2}}};
     CHECK(can.area() == doctest::Approx(cylinder<T>{{1, 2, 3}, {1, 2, 7}, 3}.area()));
+    // Evenly over the base, the side and the top: 8 x 8 parts of equal areas each.
+    const int samples = 100'000;
+    std::vector<int> counts(3 * 64, 0);
     random_numbers random(33);
-    int on_side = 0;
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < samples; ++i) {
         const surface_sample<T> s = can.sample({T(random.uniform()), T(random.uniform())});
         REQUIRE(can.bounds().contains(s.point));
-        const T rho = std::hypot(s.point.x - 1, s.point.y - 2), height = s.point.z - 3;
-        const bool side = std::abs(rho - 3) < T(1e-5) && height >= 0 && height <= 4;
-        REQUIRE((side || (rho <= 3 && (std::abs(height) < T(1e-5) || std::abs(height - 4) < T(1e-5)))));
-        on_side += std::abs(s.normal.z) < T(0.5);
+        const T x = s.point.x - 1, y = s.point.y - 2, rho = std::hypot(x, y), height = s.point.z - 3;
+        const bool on_side = std::abs(s.normal.z) < T(0.5);
+        const bool on_top = height > 2;
+        REQUIRE(std::abs(on_side ? rho - 3 : on_top ? height - 4 : height) < T(1e-5));
+        const auto part = [](T u) { return static_cast<std::size_t>(std::clamp(static_cast<int>(u * 8), 0, 7)); };
+        const std::size_t segment = on_side ? 1 : on_top ? 2 : 0;
+        const T turn = std::atan2(y, x) / T(2 * std::numbers::pi) + T(0.5);
+        ++counts[64 * segment + 8 * part(turn) + part(on_side ? height / 4 : rho * rho / 9)];
     }
-    CHECK(on_side == doctest::Approx(4000.0 * 24 / 42).epsilon(0.05));
+    std::vector<double> by_area(counts.size());
+    for (std::size_t i = 0; i < by_area.size(); ++i) by_area[i] = samples * (i / 64 == 1 ? 24 : 9) / (42 * 64.0);
+    CHECK(chi_square(counts, by_area) < 191 + 5 * std::sqrt(2 * 191.0));
 }
 
 namespace {
