@@ -28,8 +28,8 @@ ACCEPTED = pathlib.Path(__file__).with_name("accepted.txt")
 TESTS = {
     "settle.hpp": ["shape/sphere"],
     "sphere_crossing.hpp": ["shape/sphere"],
-    "crossing.hpp": ["shape/cylinder", "shape/box"],
-    "plane_crossing.hpp": ["shape/plane", "shape/disc"],
+    "crossing.hpp": ["crossing", "shape/cylinder", "shape/box"],
+    "plane_crossing.hpp": ["plane_crossing", "shape/plane", "shape/disc"],
     "edge_crossing.hpp": ["shape/triangle"],
     "hit_record.hpp": ["hit_record", "shape/sphere"],
     "aabb.hpp": ["aabb", "shape/disc"],
