@@ -112,8 +112,7 @@ RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, co
                                      const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec,
                                      SideGradient side_gradient) {
     using Q = working_t<N>;
-    vec3<W> axis = difference_as<W>(top, base), d(ray.direction);
-    vec3<W> from_base = difference_as<W>(ray.origin, base) + d * c.t;
+    vec3<W> axis = difference_as<W>(top, base), from_base = seen_from(base, ray, c.t);
     W height = dot(from_base, axis) / dot(axis, axis);
     vec3<W> across = from_base - axis * height;
     const mask_t<T> side = c.face == index_t<T>(0), low = c.face == index_t<T>(1);
@@ -125,7 +124,7 @@ RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, co
     vec3<Q> outward = select(side, sideways * over, up * select(low, Q(-1), Q(1)));
     const mask_t<T> waist = every(side, !(size > Q(0)));
     if (any(waist)) {  // too narrow for a normal: it is the axis, against the ray
-        const Q turned = copysign(Q(1), Q(-dot(axis, d))) * select(c.entering, Q(1), Q(-1));
+        const Q turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction)))) * select(c.entering, Q(1), Q(-1));
         outward = select(waist, up * turned, outward);
     }
 

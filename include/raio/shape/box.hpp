@@ -101,6 +101,23 @@ struct box {
                 {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y)}};
     }
 
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        using E = bound_t<X>;
+        const auto i = static_cast<glm::length_t>(c.face), j = (i + 1) % 3, k = (i + 2) % 3;
+        vec3<X> size = difference_as<X>(max, min);
+        auto [p, p_error] = ray.seen_from(min);
+        const bool at_low = c.entering == (ray.direction[i] > W(0));
+        E error = p_error + E(4 * unit_roundoff<X>) * norm1(vec3<E>(size));
+        crossing<W> missing = newton_step(at_low ? p[i] : p[i] - size[i], error, ray.direction[i], E(0));
+        // Where another slab ends as near, it may be its face.
+        E reach = E(2) * (error + c.error * norm1(vec3<E>(ray.direction)));
+        vec3<E> from_low(p), from_high(size - p);
+        missing.certain = every(missing.certain, from_low[j] > reach, from_high[j] > reach, from_low[k] > reach,
+                                from_high[k] > reach);
+        return missing;
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         const mask_t<T> x = c.face == index_t<T>(0), y = c.face == index_t<T>(1), z = c.face == index_t<T>(2);
