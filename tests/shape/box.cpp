@@ -138,7 +138,7 @@ TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, RAIO_NUMBE
     }
     std::vector<double> by_area{8, 8, 4, 4, 2, 2};
     for (double& expected : by_area) expected *= samples / 28.0;
-    CHECK(chi_square(counts, by_area) < 5 + 5 * std::sqrt(2 * 5.0));
+    CHECK(chi_square(counts, by_area) < chi_square_limit(5));
 }
 
 TEST_CASE_TEMPLATE("box: uv, and the point exactly on the face", T, RAIO_NUMBERS) {

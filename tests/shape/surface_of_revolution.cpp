@@ -220,7 +220,7 @@ TEST_CASE_TEMPLATE("surface of revolution: uv and area, and samples spread evenl
     }
     std::vector<double> by_area(counts.size());
     for (std::size_t i = 0; i < by_area.size(); ++i) by_area[i] = samples * (i / 64 == 1 ? 24 : 9) / (42 * 64.0);
-    CHECK(chi_square(counts, by_area) < 191 + 5 * std::sqrt(2 * 191.0));
+    CHECK(chi_square(counts, by_area) < chi_square_limit(191));
 }
 
 namespace {

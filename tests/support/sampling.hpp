@@ -17,6 +17,12 @@ inline double chi_square(const std::vector<int>& counts, const std::vector<doubl
     return sum;
 }
 
+/// What that exceeds in one of a hundred tests of even counts, of which so many are free (Wilson and Hilferty 1931).
+inline double chi_square_limit(double free) {
+    const double variance = 2 / (9 * free);
+    return free * std::pow(1 - variance + 2.326 * std::sqrt(variance), 3);
+}
+
 /// Samples lie on the surface, with the normal that a ray finds there, and are spread evenly over the unit square that
 /// `to_square` maps the surface to, equal areas to equal areas.
 template <sampleable Shape, class ToSquare>
@@ -51,7 +57,7 @@ void check_sampling(const Shape& shape, ToSquare to_square) {
     }
     CHECK(lost < samples / 1000);
     const std::vector<double> even(counts.size(), double(samples) / (side * side));
-    CHECK(chi_square(counts, even) < 63 + 5 * std::sqrt(2 * 63.0));
+    CHECK(chi_square(counts, even) < chi_square_limit(63));
 
     // The ends of the unit square are points of the surface as well.
     for (const T u : {T(0), T(1) - eps / 2}) {
