@@ -178,9 +178,18 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
         detail::keep_as_stored<T>(shape, ray);
         auto quick = shape.template crossings<working_t<T>>(ray);
         const bool meets = some(quick.near.exists, quick.far.exists);
-        const auto settled = [&](const auto& c) { return every(c.certain, some(!meets, detail::rounds_to_one<T>(c))); };
-        if (every(settled(quick.near), settled(quick.far))) [[likely]]
+        const auto settled = [](const auto& c) { return c.certain && detail::rounds_to_one<T>(c); };
+        if (!meets) {
+            if (every(quick.near.certain, quick.far.certain)) return between_ends(quick);
+        } else if constexpr (detail::always_refined<Shape, T>) {
+            if (every(quick.near.certain, quick.far.certain)) {
+                chord<exact_t<T>> fine{refined<exact_t<T>>(shape, ray, quick.near),
+                                       refined<exact_t<T>>(shape, ray, quick.far)};
+                if (settled(fine.near) && settled(fine.far)) return between_ends(fine);
+            }
+        } else if (every(settled(quick.near), settled(quick.far))) [[likely]] {
             return between_ends(quick);
+        }
     }
     return between_ends(shape.template crossings<exact_t<T>>(ray));
 }
