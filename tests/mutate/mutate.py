@@ -30,7 +30,7 @@ TESTS = {
     "sphere_crossing.hpp": ["shape/sphere"],
     "crossing.hpp": ["crossing", "shape/cylinder", "shape/box"],
     "plane_crossing.hpp": ["plane_crossing", "shape/plane", "shape/disc"],
-    "edge_crossing.hpp": ["shape/triangle"],
+    "edge_crossing.hpp": ["edge_crossing", "shape/triangle"],
     "hit_record.hpp": ["hit_record", "shape/sphere"],
     "aabb.hpp": ["aabb", "shape/disc"],
 }

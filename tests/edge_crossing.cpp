@@ -1,0 +1,46 @@
+#include <raio/edge_crossing.hpp>
+
+#include <doctest/doctest.h>
+
+#include "support/bounds.hpp"
+
+namespace raio::test {
+
+using W = strict_double;
+using X = double_double;
+
+namespace {
+
+vec3<oracle> exactly(const vec3<X>& v) { return {test::exactly(v.x), test::exactly(v.y), test::exactly(v.z)}; }
+
+}  // namespace
+
+TEST_CASE("edge_crossing: the bounds of t, u, v and of what is missing, from above as well") {
+    random_numbers random(1);
+    part_of_bound of_size, of_u, of_v, of_t, of_missing;
+    for (int i = 0; i < 20'000; ++i) {
+        const vec3<double> a = some_vector(random), b = a + some_vector(random), c = a + some_vector(random);
+        const vec3<double> normal = cross(b - a, c - a);
+        const ray<double> ray{a + all_but_across(normal, random), all_but_across(normal, random)};
+        const vec3<W> corner(a);
+        const auto met = cross_edges(corner, vec3<W>(b) - corner, vec3<W>(c) - corner, ray);
+        if (met.size == W(0)) continue;  // there is no side to be on
+        const vec3<oracle> e1 = vec3<oracle>(b) - vec3<oracle>(a), e2 = vec3<oracle>(c) - vec3<oracle>(a);
+        const vec3<oracle> d(ray.direction), s = vec3<oracle>(ray.origin) - vec3<oracle>(a), n = cross(e1, e2);
+        const oracle det = -dot(d, n), sign = met.at.entering ? 1 : -1;
+        of_size.add(test::exactly(met.size) - det * sign, met.size_error);
+        of_u.add(test::exactly(met.u) - dot(s, cross(d, e2)) * sign, met.u_error);
+        of_v.add(test::exactly(met.v) - dot(d, cross(s, e1)) * sign, met.v_error);
+        if (!met.at.certain) continue;
+        of_t.add(test::exactly(met.at.t) - dot(s, n) / det, met.at.error);
+
+        const vec3<X> step = vec3<X>(ray.direction) * X(met.at.t);
+        const nearby_ray<X, W> nearby{vec3<X>(ray.origin), step, vec3<W>(ray.direction)};
+        const auto missing = correct_edges(a, vec3<X>(b) - vec3<X>(a), vec3<X>(c) - vec3<X>(a), nearby, met.at);
+        of_missing.add(test::exactly(missing.t) - dot(s + exactly(step), n) / det, missing.error);
+    }
+    CHECK((of_size.largest > 0.1 && of_u.largest > 0.1 && of_v.largest > 0.1));
+    CHECK((of_t.largest > 0.03 && of_missing.largest > 0.02));
+}
+
+}  // namespace raio::test
