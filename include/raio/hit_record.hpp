@@ -31,7 +31,7 @@ RAIO_FN constexpr void assign(mask_t<T> mask, hit_record<T, N>& to, const hit_re
     to.uv = select(mask, from.uv, to.uv);
     to.error = select(mask, from.error, to.error);
     to.index = select(mask, from.index, to.index);
-    to.front_face = (mask && from.front_face) || (!mask && to.front_face);
+    to.front_face = some(every(mask, from.front_face), every(!mask, to.front_face));
 }
 
 /// A ray that leaves the surface at the recorded point and never meets that point again: its origin is moved to the

@@ -122,6 +122,7 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
     CHECK(t_of(tent, down(1, 2)) == T(4));
     CHECK(t_of(tent, down(2, 3)) == T(4));
     CHECK(t_of(tent, down(-1, 2)) == T(-1));
+    CHECK(t_of(tent, down(5, 2)) == T(-1));
     CHECK(t_of(tent, down(2, T(4) + T(4) * std::numeric_limits<T>::epsilon())) == T(-1));
     CHECK(t_of(tent, {{-1, 2, 1}, {1, 0, 0}}) == T(2));         // along a line of the grid
     CHECK(t_of(tent, {{5, 2, 1}, {-1, -0.0, 0}}) == T(2));      // the other way
@@ -148,6 +149,10 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
     CHECK(t_of({{4, 4}, {0, 0}, 2, {1, 1, 1, 1}}, down(2, 2)) == T(-1));
 
     hit_record<T> rec;
+    REQUIRE(tent.hit({{5, 2, 1}, {1, 0, 0}}, -inf, inf, rec));  // behind the ray, from anywhere on
+    CHECK(rec.t == T(-4));
+    REQUIRE(tent.hit({{-1, 2, 1}, {-1, 0, 0}}, -inf, T(0), rec));
+    CHECK(rec.t == T(-4));
     CHECK_FALSE(tent.hit(down(2, 2), nan<T>, inf, rec));
     CHECK_FALSE(tent.hit(down(2, 2), T(0), nan<T>, rec));
     REQUIRE(tent.hit(down(3, 1), T(0), inf, rec));

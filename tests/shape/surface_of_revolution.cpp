@@ -278,7 +278,10 @@ TEST_CASE_TEMPLATE("curved surface of revolution: named cases", T, RAIO_NUMBERS)
         short_of_one{{0, 0, 0}, {0, 1, 0}, {{1, 0}, {1, 1}, {1, 2}}},
         turned_in{{0, 0, 0}, {0, 1, 0}, {{-1, 0}, {-1, 1}, {-1, 2}, {-1, 3}}},
         no_axis{{0, 0, 0}, {0, 0, 0}, {{1, 0}, {1, 1}, {1, 2}, {1, 3}}},
-        not_a_number{{0, 0, 0}, {0, 1, 0}, {{1, 0}, {1, nan<T>}, {1, 2}, {1, 3}}};
+        not_a_number{{0, 0, 0}, {0, 1, 0}, {{1, 0}, {1, nan<T>}, {1, 2}, {1, 3}}},
+        endless{{0, 0, 0}, {0, 1, 0}, {{1, 0}, {infinity<T>, 1}, {1, 2}, {1, 3}}},
+        of_endless_axis{{0, 0, 0}, {0, infinity<T>, 0}, {{1, 0}, {1, 1}, {1, 2}, {1, 3}}},
+        nowhere_near{{0, infinity<T>, 0}, {0, 1, 0}, {{1, 0}, {1, 1}, {1, 2}, {1, 3}}};
     struct row {
         const char* name;
         const curved_surface_of_revolution<T>& shape;
@@ -316,6 +319,9 @@ TEST_CASE_TEMPLATE("curved surface of revolution: named cases", T, RAIO_NUMBERS)
              {"radii below 0", turned_in, {{5, 1, 0}, {-1, 0, 0}}, misses},
              {"axis zero", no_axis, {{5, 1, 0}, {-1, 0, 0}}, misses},
              {"a height that is not a number", not_a_number, {{5, 1, 0}, {-1, 0, 0}}, misses},
+             {"an infinite radius", endless, {{5, 1, 0}, {-1, 0, 0}}, misses},
+             {"an infinite axis", of_endless_axis, {{5, 1, 0}, {-1, 0, 0}}, misses},
+             {"at infinity", nowhere_near, {{5, 1, 0}, {-1, 0, 0}}, misses},
              {"direction zero", dish, {{0, 1, 0}, {0, 0, 0}}, misses},
              {"window that is not a number", dish, {{2, 9, 0}, {0, -1, 0}}, misses, 0, nan<T>},
          }) {
