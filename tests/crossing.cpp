@@ -124,9 +124,49 @@ TEST_CASE("crossing: where a function is zero, whatever value and slope are off 
     CHECK(largest_part > 0.9);
     CHECK(!cross_zero(1.0, 0.0, slope_of(0.0, 0.0)).exists);
     CHECK(cross_zero(1.0, 0.0, slope_of(0.0, 0.0)).certain);
+    CHECK(!cross_zero(1.0, 0.0, slope_of(0.0, 0.0)).entering);
     CHECK(!slope_of(infinity<double>, 0.0).certain);
+    CHECK(slope_of(std::numeric_limits<float>::min(), 0.0f).certain);
     CHECK(!slope_of(0.0, 1e-300).certain);
     CHECK(!slope_of(1e-40f, 0.0f).certain);  // it may have lost its digits
+}
+
+/// Half of the largest float is 1.7e38.
+TEST_CASE("crossing: only what the ray reaches in numbers of its type is kept") {
+    struct row {
+        float origin, t, error;
+        bool exists, certain;
+    };
+    for (const row& r : {row{0, 5e37f, 0, true, true},
+                         {0, -5e37f, 0, true, true},
+                         {0, 1e38f, 0, true, false},
+                         {0, -1e38f, 0, true, false},
+                         {0, 5e37f, 5e37f, true, false},
+                         {-5e37f, 5e37f, 0, true, false},
+                         {0, 2e38f, 0, false, false},
+                         {0, -2e38f, 0, false, false},
+                         {1e38f, 1e38f, 0, false, false},
+                         {-1e38f, 1e38f, 0, false, false}}) {
+        INFO(r.origin << ", " << r.t << ", " << r.error);
+        const ray<float> ray{{r.origin, 0, 0}, {0, -1, 0}};
+        for (const bool certain : {false, true}) {
+            crossing<float> c{true, certain, r.t, r.error, true}, none{false, certain, r.t, r.error, true};
+            keep_if_reachable<float>(ray, c), keep_if_reachable<float>(ray, none);
+            CHECK((c.exists == r.exists && c.certain == (certain && r.certain)));
+            CHECK((!none.exists && none.certain == certain));
+            crossing<double> fine{true, certain, double(r.t), double(r.error), true};
+            keep_if_reachable<float>(ray, fine);
+            CHECK((fine.exists == r.exists && fine.certain == certain));
+        }
+        const crossing<float> here{true, true, 0, 0, true}, there{true, true, r.t, r.error, false};
+        for (const bool first : {false, true}) {
+            chord<float> c = first ? chord<float>{there, here} : chord<float>{here, there};
+            keep_if_reachable<float>(ray, c);
+            const crossing<float>&far_off = first ? c.near : c.far, &near_by = first ? c.far : c.near;
+            CHECK((far_off.exists == r.exists && far_off.certain == r.certain));
+            CHECK((near_by.exists && near_by.certain == (std::abs(r.origin) < 8e37f)));
+        }
+    }
 }
 
 TEST_CASE("crossing: nothing is left to find out where both are missed beyond doubt") {
