@@ -86,7 +86,7 @@ public:
 private:
     template <real R>
     RAIO_FN constexpr raio::ray<W> mapped_back(const raio::ray<R>& ray) const {
-        return {inverse_(difference_as<W>(ray.origin, map_.origin)), inverse_(vec3<W>(ray.direction))};
+        return {inverse_(difference_as<W>(ray.origin, map_.origin)), inverse_(ray.direction)};
     }
 
     template <real N>
@@ -116,7 +116,7 @@ private:
         normal = select(norm1(normal) > W(0), normal, -direction);
         return {local.t,
                 p,
-                vec3<N>(normalize(normal)),
+                vec3<N>(normalize_from<N>(vec3<working_t<N>>(normal))),
                 local.uv,
                 {rounded_up(error.x), rounded_up(error.y), rounded_up(error.z)},
                 local.index,

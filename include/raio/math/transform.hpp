@@ -21,7 +21,7 @@ struct transform {
     /// x v.x + y v.y + z v.z in the precision of W.
     template <real W>
     RAIO_FN constexpr vec3<W> linear(const vec3<W>& v) const {
-        return vec3<W>(x) * v.x + vec3<W>(y) * v.y + vec3<W>(z) * v.z;
+        return product_as<W>(x, v.x) + product_as<W>(y, v.y) + product_as<W>(z, v.z);
     }
 
     /// First `b`, then `a`; what is between them is not rounded to T.
@@ -69,7 +69,13 @@ struct linear_inverse {
         x = vec3<W>(b_c * over_det), y = vec3<W>(c_a * over_det), z = vec3<W>(a_b * over_det);
     }
 
-    RAIO_FN constexpr vec3<W> operator()(const vec3<W>& v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
+    template <real V>
+    RAIO_FN constexpr vec3<W> operator()(const vec3<V>& v) const {
+        const auto along = [&](const vec3<W>& row) {
+            return product_as<W>(v.x, row.x) + product_as<W>(v.y, row.y) + product_as<W>(v.z, row.z);
+        };
+        return {along(x), along(y), along(z)};
+    }
     /// How normals go the other way: by the transpose.
     RAIO_FN constexpr vec3<W> transposed(const vec3<W>& n) const { return x * n.x + y * n.y + z * n.z; }
 };
