@@ -49,6 +49,17 @@ RAIO_FN constexpr bound_t<W> triple_product_bound(const vec3<W>& a, const vec3<W
     }
 }
 
+/// The same bound for what is near zero where rays start on the surface: packs take it as tight as it gets, or all that
+/// start there would have to be asked for again.
+template <class W>
+RAIO_FN constexpr bound_t<W> closest_triple_product_bound(const vec3<W>& a, const vec3<W>& b, const vec3<W>& c) {
+    if constexpr (std::same_as<mask_t<W>, bool>) {
+        return triple_product_bound(a, b, c);
+    } else {
+        return with_underflow<W>(permanent(a, b, c) + with_underflow<W>(W(0)) * norm1(a));
+    }
+}
+
 /// One crossing of the line `origin + t * direction` with a surface, in the precision of W.
 template <class W>
 struct crossing {

@@ -34,7 +34,7 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
     E u_error = k * triple_product_bound(s, direction, e2), v_error = k * triple_product_bound(direction, s, e1);
 
     W over_det = quotient(W(1), det, W(0)), t = dot(e2, q) * over_det;
-    E t_error = k * triple_product_bound(e2, s, e1);
+    E t_error = k * closest_triple_product_bound(e2, s, e1);
     E error = E(2) * (t_error + abs(E(t)) * det_error) * abs(E(over_det)) + E(4 * unit_roundoff<W>) * abs(E(t));
     crossing<W> c{.exists = size > tie<W>(det_error),
                   .certain = size > E(2) * det_error,

@@ -38,10 +38,24 @@ RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, cons
     const mask_t<W> certain = every(a >= W(least), some(s2 < -s2_error, long_chord));
     if (none(exists)) return {{exists, certain, W(0), E(0), exists}, {exists, certain, W(0), E(0), exists}};
 
-    W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
+    W s = sqrt(max(s2, W(0))), over_a = W(1) / a, c = dot(l, l) - radius * radius;
     E error = with_underflow<W>(E(0x1p9 * Roundings * u) * d_size * (l_size + E(radius)) * E(over_a));
-    vec2<W> t = quadratic_roots(over_a, b, dot(l, l) - radius * radius, s);
-    return {{exists, certain, t.x, error, exists}, {exists, certain, t.y, error, !exists}};
+    vec2<W> t = quadratic_roots(over_a, b, c, s);
+    chord<W> found{{exists, certain, t.x, error, exists}, {exists, certain, t.y, error, !exists}};
+    if constexpr (!std::same_as<mask_t<W>, bool>) {
+        // Packs ask nobody else: they have to know on which side of the sphere a ray starts. Where that is near, |b| <
+        // 2 s, the crossing there is c / sum, off by what c is and by its share of what sum is, which is below a 50th.
+        W sum = b + copysign(s, b), over_sum = quotient(W(1), sum, W(0)), size = abs(over_sum);
+        E c_error = with_underflow<W>(E(8 * Roundings * u) * (dot(l, l) + radius * radius));
+        E near_error = with_underflow<W>(E(2) * size * (c_error + abs(c) * (error * a * size)));
+        const mask_t<W> starts_near = every(abs(b) < s + s, is_finite(sum), near_error < error);
+        const auto improve = [&](crossing<W>& of, const mask_t<W>& is_near) {
+            of.t = select(is_near, c * over_sum, of.t), of.error = select(is_near, near_error, of.error);
+        };
+        improve(found.near, every(starts_near, sum > W(0)));
+        improve(found.far, every(starts_near, sum < W(0)));
+    }
+    return found;
 }
 
 /// What is missing of a crossing: one step of Newton's method towards |p|^2 = radius^2, whose slope 2 p.d grows by 2

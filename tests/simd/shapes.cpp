@@ -28,6 +28,21 @@ void check_packs(double may_be_left_open = 0.01) {
     CHECK(open < may_be_left_open);
 }
 
+/// Most of the rays that leave a shape are known not to meet it again.
+template <class Shape>
+void check_packs_that_rays_leave() {
+    const double open = fraction_of_spawned_left_open<pack<number_t<Shape>>, Shape>(20'000);
+    MESSAGE("left open: " << 100 * open << " %");
+    CHECK(open < 0.05);
+}
+
+TEST_CASE_TEMPLATE("packs: what rays leave", T, RAIO_NUMBERS) {
+    check_packs_that_rays_leave<sphere<T>>();
+    check_packs_that_rays_leave<ellipsoid<T>>();
+    check_packs_that_rays_leave<triangle<T>>();
+    check_packs_that_rays_leave<parallelogram<T>>();
+}
+
 TEST_CASE_TEMPLATE("packs: sphere", T, RAIO_NUMBERS) { check_packs<sphere<T>>(); }
 TEST_CASE_TEMPLATE("packs: ellipsoid", T, RAIO_NUMBERS) { check_packs<ellipsoid<T>>(); }
 TEST_CASE_TEMPLATE("packs: plane", T, RAIO_NUMBERS) { check_packs<plane<T>>(); }

@@ -162,17 +162,22 @@ void check_lanes_of_hits(int rays) {
     CHECK(settled_hits > rays / 20);
 }
 
-/// The shape about one unit large and up to ten away, a ray from up to thirty units farther on that meets it about half
-/// the time: what most rays of a scene are like.
+/// The shape about one unit large and up to so far away, a ray from up to thirty units farther on that meets it about
+/// half the time: what most rays of a scene are like.
 template <class Shape>
-probe<Shape> ordinary_probe(random_numbers& random) {
+probe<Shape> ordinary_probe_within(double far, random_numbers& random) {
     using T = number_t<Shape>;
     using about = subject<Shape>;
-    probe<Shape> p{about::random(random, 1.0, random.direction() * random.uniform(0, 10)), {}};
+    probe<Shape> p{about::random(random, 1.0, random.direction() * random.uniform(0, far)), {}};
     const vec3<double> to = about::inner_point(p.shape, random) + random.direction() * random.uniform(0, 2);
     const vec3<double> from = about::inner_point(p.shape, random) + random.direction() * random.uniform(3, 30);
     p.ray = {vec3<T>(from), vec3<T>(to - from)};
     return p;
+}
+
+template <class Shape>
+probe<Shape> ordinary_probe(random_numbers& random) {
+    return ordinary_probe_within<Shape>(10, random);
 }
 
 /// How many of the lanes leave something open, of ordinary rays: in the crossings there are, or in whether there are
@@ -186,6 +191,31 @@ double fraction_left_open(int rays) {
         const packed_probe<Shape, P> packed(probes);
         const auto found = all_crossings<P>(packed.shape, packed.ray);
         for (std::size_t lane = 0; lane < P::lanes; ++lane) open += !found[0].certain[lane];
+    }
+    return double(open) / count;
+}
+
+/// How many of the lanes leave open what a ray meets that leaves the shape, which is small in its scene.
+template <class P, class Shape>
+double fraction_of_spawned_left_open(int rays) {
+    using T = number_t<Shape>;
+    const auto spawned = [](random_numbers& random) {
+        for (;;) {
+            probe<Shape> p = ordinary_probe_within<Shape>(500, random);
+            hit_record<T> rec;
+            if (!p.shape.hit(p.ray, 0, infinity<T>, rec)) continue;
+            p.ray = spawn_ray(rec, vec3<T>(vec3<double>(rec.normal) + random.direction()));
+            p.t_min = 0, p.t_max = infinity<T>;
+            return p;
+        }
+    };
+    random_numbers random(12);
+    int open = 0, count = 0;
+    for (; count < rays; count += int(P::lanes)) {
+        const auto probes = probes_side_by_side<Shape, P::lanes>(random, spawned);
+        const packed_probe<Shape, P> packed(probes);
+        const auto found = all_crossings<P>(packed.shape, packed.ray);
+        for (std::size_t lane = 0; lane < P::lanes; ++lane) open += !settled_lane(probes[lane], found, lane);
     }
     return double(open) / count;
 }
