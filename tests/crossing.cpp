@@ -127,6 +127,7 @@ TEST_CASE("crossing: where a function is zero, whatever value and slope are off 
     CHECK(!cross_zero(1.0, 0.0, slope_of(0.0, 0.0)).entering);
     CHECK(!slope_of(infinity<double>, 0.0).certain);
     CHECK(slope_of(std::numeric_limits<float>::min(), 0.0f).certain);
+    CHECK((slope_of(1.0, 0.5).certain && !slope_of(1.0, 0.50001).certain));
     CHECK(!slope_of(0.0, 1e-300).certain);
     CHECK(!slope_of(1e-40f, 0.0f).certain);  // it may have lost its digits
 }
@@ -139,6 +140,7 @@ TEST_CASE("crossing: only what the ray reaches in numbers of its type is kept") 
     };
     for (const row& r : {row{0, 5e37f, 0, true, true},
                          {0, -5e37f, 0, true, true},
+                         {0, 8.5072e37f, 0, true, false},  // more than a quarter of the largest float
                          {0, 1e38f, 0, true, false},
                          {0, -1e38f, 0, true, false},
                          {0, 5e37f, 5e37f, true, false},

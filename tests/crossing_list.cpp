@@ -42,6 +42,7 @@ TEST_CASE("crossing_list: roots are crossed as the signs beside them say, and ta
                            {-1, 1, 1, false},
                            {0, -1, 1, true},
                            {0, 1, 1, false},
+                           {0, 0, 1, false},
                            {1, 1, 2, true},
                            {-1, -1, 2, false}}) {
         crossing_list<double, 4> list;

@@ -31,6 +31,7 @@ TESTS = {
     "crossing.hpp": ["crossing", "shape/cylinder", "shape/box"],
     "plane_crossing.hpp": ["plane_crossing", "shape/plane", "shape/disc"],
     "edge_crossing.hpp": ["edge_crossing", "shape/triangle"],
+    "crossing_list.hpp": ["crossing_list", "shape/torus"],
     "hit_record.hpp": ["hit_record", "shape/sphere"],
     "aabb.hpp": ["aabb", "shape/disc"],
 }
