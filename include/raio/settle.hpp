@@ -82,6 +82,12 @@ concept correctable = requires(const Shape shape, const nearby_ray<X, W> ray, co
     shape.correction(ray, c);
 };
 
+/// Does a line that is known to cross the surface do so at a number, which can be refined?
+template <class W>
+RAIO_FN constexpr bool refinable(const crossing<W>& c) {
+    return every(c.certain, c.exists, is_finite(c.t));
+}
+
 /// Is there no use in asking whether a quick t is certain to its last bit? It has no more bits than T.
 template <class Shape, class T>
 concept always_refined = correctable<Shape, exact_t<T>, working_t<T>> && std::same_as<wider_t<T>, exact_t<T>>;
@@ -104,7 +110,7 @@ template <real T, class Shape, real R, class Then>
         auto [quick, known] = settled_in_window<question::whether>(shape.template crossings<W>(ray), t_min, t_max);
         if constexpr (correctable<Shape, X, W>) {
             // Whatever the window is, and whatever is asked, it is the same crossing that is found.
-            if (quick.certain && quick.exists) {
+            if (refinable(quick)) {
                 auto fine = refined<X>(shape, ray, quick);
                 if (is_settled(fine, t_min, t_max)) return then(fine);
             }
@@ -127,7 +133,7 @@ RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_mi
         if constexpr (Asked == question::where && always_refined<Shape, T>) {
             auto [first, known] = settled_in_window<question::whether>(quick, t_min, t_max);
             if (known && !first.exists) return false;
-            if (every(first.certain, first.exists)) [[likely]] {
+            if (refinable(first)) [[likely]] {
                 auto fine = refined<exact_t<T>>(shape, ray, first);
                 if (is_settled(fine, t_min, t_max)) [[likely]]
                     return then(fine);
@@ -182,7 +188,7 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
         if (!meets) {
             if (every(quick.near.certain, quick.far.certain)) return between_ends(quick);
         } else if constexpr (detail::always_refined<Shape, T>) {
-            if (every(quick.near.certain, quick.far.certain)) {
+            if (detail::refinable(quick.near) && detail::refinable(quick.far)) {
                 chord<exact_t<T>> fine{refined<exact_t<T>>(shape, ray, quick.near),
                                        refined<exact_t<T>>(shape, ray, quick.far)};
                 if (settled(fine.near) && settled(fine.far)) return between_ends(fine);
