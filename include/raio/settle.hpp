@@ -37,8 +37,9 @@ RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_ma
     return select(near.exists, near, first_in_window(c.far, t_min, t_max));
 }
 
-/// What is asked of the first crossing: only whether there is one, or also where.
-enum class question { whether, where };
+/// What is asked of the first crossing: only whether there is one, or also where; or only where, if there is one beyond
+/// doubt.
+enum class question { whether, where, only_where };
 
 /// The first crossing that may be in the window as W finds it, and whether exact arithmetic is known to say the same:
 /// the crossing is certain, wherever in its error t is, it lies inside the window, or outside; and if t is asked for,
@@ -49,8 +50,18 @@ struct verdict {
     bool known;
 };
 
+/// Is t certain to the last bit of T: do both ends of its error round to the same?
+template <real T, class W>
+RAIO_FN constexpr bool rounds_to_one(const crossing<W>& c) {
+    return T(sum_as<W>(-c.error, c.t)) == T(sum_as<W>(c.error, c.t));
+}
+
 template <question Asked, real T, class W>
 RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
+    if constexpr (Asked == question::only_where) {
+        c.exists = true;
+        return {c, every(rounds_to_one<T>(c), is_finite(T(c.t)))};
+    }
     if (!c.exists) return {c, c.certain};
     const T low = T(c.t - c.error), high = T(c.t + c.error);
     const bool inside = every(t_min <= low, high <= t_max, is_finite(high), Asked == question::whether || low == high);
@@ -60,15 +71,11 @@ RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) 
 }
 template <question Asked, real T, class W>
 RAIO_FN constexpr verdict<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
-    verdict<W> found = settled_in_window<Asked>(c.near, t_min, t_max);
-    if (!found.first.exists && found.known) found = settled_in_window<Asked>(c.far, t_min, t_max);
+    // Of two crossings it has to be found out which one it is.
+    constexpr question asked = Asked == question::whether ? question::whether : question::where;
+    verdict<W> found = settled_in_window<asked>(c.near, t_min, t_max);
+    if (!found.first.exists && found.known) found = settled_in_window<asked>(c.far, t_min, t_max);
     return found;
-}
-
-/// Is t certain to the last bit of T: do both ends of its error round to the same?
-template <real T, class W>
-RAIO_FN constexpr bool rounds_to_one(const crossing<W>& c) {
-    return T(sum_as<W>(-c.error, c.t)) == T(sum_as<W>(c.error, c.t));
 }
 
 /// Is there a quicker precision, and does it hold the numbers of the ray without rounding them?
@@ -130,7 +137,7 @@ RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_mi
     if constexpr (works_first<T, R>) {
         keep_as_stored<T>(shape, ray);
         auto quick = shape.template crossings<working_t<T>>(ray);
-        if constexpr (Asked == question::where && always_refined<Shape, T>) {
+        if constexpr (Asked != question::whether && always_refined<Shape, T>) {
             auto [first, known] = settled_in_window<question::whether>(quick, t_min, t_max);
             if (known && !first.exists) return false;
             if (refinable(first)) [[likely]] {
@@ -158,9 +165,10 @@ RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_m
 }
 
 /// `hit` of every shape that has also `surface(ray, crossing, rec)`: the same crossing, and what to record of it.
-template <real T, class Shape, real R, real N>
+/// \tparam Asked  `only_where` if there is one beyond doubt
+template <detail::question Asked = detail::question::where, real T, class Shape, real R, real N>
 RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) {
-    return detail::settle<detail::question::where>(shape, ray, t_min, t_max, [&](const auto& crossing) {
+    return detail::settle<Asked>(shape, ray, t_min, t_max, [&](const auto& crossing) {
         if constexpr (std::same_as<mask_t<T>, bool>) {
             if (crossing.exists) shape.surface(ray, crossing, rec);
         } else if (any(crossing.exists)) {

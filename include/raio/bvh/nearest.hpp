@@ -63,7 +63,12 @@ private:
     void make_exact() {
         exact_ = true;
         Leaves::with_kind(static_cast<std::uint32_t>(at_.kind), [&](auto kind) {
-            return detail::hit(std::get<kind()>(leaves_.all).shape(at_.block, at_.lane), ray_, t_min_, t_max_, rec_);
+            const auto& shape = std::get<kind()>(leaves_.all).shape(at_.block, at_.lane);
+            if constexpr (gatherable<std::remove_cvref_t<decltype(shape)>>) {
+                first_hit<question::only_where>(shape, ray_, t_min_, t_max_, rec_);  // packs are certain of it
+            } else {
+                detail::hit(shape, ray_, t_min_, t_max_, rec_);
+            }
         });
         rec_.index = at_.id;
         low_ = high_ = rec_.t;
