@@ -44,7 +44,8 @@ RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, cons
     chord<W> found{{exists, certain, t.x, error, exists}, {exists, certain, t.y, error, !exists}};
     if constexpr (!std::same_as<mask_t<W>, bool>) {
         // Packs ask nobody else: they have to know on which side of the sphere a ray starts. Where that is near, |b| <
-        // 2 s, the crossing there is c / sum, off by what c is and by its share of what sum is, which is below a 50th.
+        // 2 s, the crossing there is c / sum, of which the error is that of c over sum, and |c / sum| times the
+        // relative error of sum. That is error a / sum, below a 50th: twice both is a bound.
         W sum = b + copysign(s, b), over_sum = quotient(W(1), sum, W(0)), size = abs(over_sum);
         E c_error = with_underflow<W>(E(8 * Roundings * u) * (dot(l, l) + radius * radius));
         E near_error = with_underflow<W>(E(2) * size * (c_error + abs(c) * (error * a * size)));

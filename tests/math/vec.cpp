@@ -23,4 +23,13 @@ TEST_CASE_TEMPLATE("vec: lengths and signs", T, float, double, oracle) {
     CHECK((select(false, v, -v).x == T(-2)));
 }
 
+TEST_CASE_TEMPLATE("vec: unit vectors of those whose squares are out of range", T, float, double, double_double) {
+    constexpr double large = std::same_as<T, float> ? 0x1p100 : 0x1p900;
+    for (const double size : {large, 1.0, 1 / large}) {
+        const vec3<T> unit = normalize(vec3<T>(T(2), T(-3), T(6)) * T(size));
+        CHECK(abs(unit.x * T(7) - T(2)) <= T(16 * unit_roundoff<T>));
+        CHECK(abs(length(unit) - T(1)) <= T(4 * unit_roundoff<T>));
+    }
+}
+
 }  // namespace raio::test

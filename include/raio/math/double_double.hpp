@@ -46,7 +46,7 @@ public:
         const double cross_terms = detail::rounded_product(a.high_, b.low_) + detail::rounded_product(a.low_, b.high_);
         return renormalized(product.high_, product.low_ + cross_terms);
     }
-    // With numbers of one part less is to be computed; see sum_as and product_as.
+    // A number of one part has less to be computed: what sum_as and product_as are made of.
     RAIO_FN static constexpr double_double sum(double a, double b) {
         const double_double sum = exact_sum(a, b);
         return raio::is_finite(sum.high_) ? sum : double_double(sum.high_);
@@ -155,6 +155,10 @@ namespace detail {
 template <class T>
 inline constexpr bool one_double = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, strict_double>;
 
+/// What is taken for it where a double_double is wanted.
+template <class T>
+using one_or_two_doubles = std::conditional_t<one_double<T>, double, double_double>;
+
 }  // namespace detail
 
 /// a + b in the precision of W. A double_double has it for half the price where `a` is one double, and for a third
@@ -162,8 +166,7 @@ inline constexpr bool one_double = std::same_as<T, float> || std::same_as<T, dou
 template <class W, real A, real B>
 RAIO_FN constexpr W sum_as(const A& a, const B& b) {
     if constexpr (std::same_as<W, double_double> && detail::one_double<A>) {
-        using one_or_two = std::conditional_t<detail::one_double<B>, double, double_double>;
-        return double_double::sum(static_cast<double>(a), static_cast<one_or_two>(b));
+        return double_double::sum(static_cast<double>(a), static_cast<detail::one_or_two_doubles<B>>(b));
     } else {
         return W(a) + W(b);
     }
@@ -183,8 +186,7 @@ RAIO_FN constexpr W difference_as(const A& a, const B& b) {
 template <class W, real A, real B>
 RAIO_FN constexpr W product_as(const A& a, const B& b) {
     if constexpr (std::same_as<W, double_double> && detail::one_double<A>) {
-        using one_or_two = std::conditional_t<detail::one_double<B>, double, double_double>;
-        return double_double::product(static_cast<double>(a), static_cast<one_or_two>(b));
+        return double_double::product(static_cast<double>(a), static_cast<detail::one_or_two_doubles<B>>(b));
     } else {
         return W(a) * W(b);
     }
