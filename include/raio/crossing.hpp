@@ -60,7 +60,8 @@ RAIO_FN constexpr bound_t<W> closest_triple_product_bound(const vec3<W>& a, cons
     }
 }
 
-/// One crossing of the line `origin + t * direction` with a surface, in the precision of W.
+/// One crossing of the line `origin + t * direction` with a surface, in the precision of W. No member is a vector:
+/// GLM's are unions unless it is told otherwise, and GCC keeps an aggregate with a union in memory.
 template <class W>
 struct crossing {
     mask_t<W> exists;      ///< does the line cross the surface?
@@ -69,7 +70,7 @@ struct crossing {
     bound_t<W> error;      ///< bound of |t - exact t|
     mask_t<W> entering;    ///< does the line come from the outside here?
     index_t<W> face = {};  ///< which face of the shape, as the shape counts them
-    vec2<W> uv = {};       ///< where on it, if the shape finds that on the way
+    W u = W(0), v = W(0);  ///< where on it, if the shape finds that on the way
     mask_t<W> shared{};    ///< may it be another face that is crossed there?
 };
 
@@ -84,7 +85,7 @@ RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const cros
     const auto either = [&](const Mask& x, const Mask& y) { return some(every(mask, x), every(!mask, y)); };
     return {either(a.exists, b.exists),     either(a.certain, b.certain),   select(mask, a.t, b.t),
             select(mask, a.error, b.error), either(a.entering, b.entering), select(mask, a.face, b.face),
-            select(mask, a.uv, b.uv),       either(a.shared, b.shared)};
+            select(mask, a.u, b.u),         select(mask, a.v, b.v),         either(a.shared, b.shared)};
 }
 
 /// How fast a function changes along the line.

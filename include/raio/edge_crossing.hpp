@@ -41,7 +41,8 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
                   .t = t,
                   .error = error,
                   .entering = det > W(0),
-                  .uv = vec2<W>(u, v) * abs(over_det)};
+                  .u = u * abs(over_det),
+                  .v = v * abs(over_det)};
     return {c, size, u, v, det_error, u_error, v_error};
 }
 
@@ -52,7 +53,7 @@ RAIO_FN constexpr crossing<W> correct_edges(const vec3<T>& corner, const vec3<X>
                                             const nearby_ray<X, W>& ray, const crossing<W>& c) {
     using E = bound_t<X>;
     auto [p, p_error] = ray.seen_from(corner);
-    vec3<X> along1 = e1 * X(c.uv.x), along2 = e2 * X(c.uv.y), apart = p - (along1 + along2);
+    vec3<X> along1 = e1 * X(c.u), along2 = e2 * X(c.v), apart = p - (along1 + along2);
     raio::ray<W> rest{vec3<W>(apart), ray.direction};
     vec3<W> zero(W(0)), edge1(e1), edge2(e2);
     edge_crossing<W> missing = cross_edges(zero, edge1, edge2, rest);

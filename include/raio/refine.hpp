@@ -63,7 +63,8 @@ RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, con
             .error = error,
             .entering = c.entering,
             .face = c.face,
-            .uv = vec2<X>(c.uv) + vec2<X>(missing.uv)};
+            .u = X(c.u) + X(missing.u),
+            .v = X(c.v) + X(missing.v)};
 }
 
 }  // namespace raio

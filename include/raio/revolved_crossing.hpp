@@ -129,7 +129,7 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
         E across_error = detail::over(m_error + half_error + farthest * (n2_error + n2_rounding), n2_least);
         const auto append = [&](const W& x, const E& error) {
             crossing<W> c = part.at({x, error, 0, 0, E(0)}, true);
-            c.uv.x = s;
+            c.u = s;
             c.entering = dot(part.along, outward_normal(curve, s, part.from + part.along * x)) <= W(0);
             std::size_t i = list.count++;
             for (; i > 0 && c.t < list.crossings[i - 1].t; --i) list.crossings[i] = list.crossings[i - 1];

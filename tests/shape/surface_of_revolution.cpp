@@ -407,7 +407,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_
                 const vec3<oracle> at = exact_ray.origin + exact_ray.direction * c.t - base;
                 const oracle size = length(axis), rho = length(cross(at, axis)) / size;
                 const vec2<oracle> on = on_profile(
-                    curved_surface_of_revolution<oracle>{base, axis, {piece.p0, piece.p1, piece.p2, piece.p3}}, c.uv.x);
+                    curved_surface_of_revolution<oracle>{base, axis, {piece.p0, piece.p1, piece.p2, piece.p3}}, c.u);
                 const oracle allowed =
                     c.error * length(exact_ray.direction) + (length(at) + length(base)) * oracle(1e-20);
                 REQUIRE(abs(rho - on.x) < allowed);

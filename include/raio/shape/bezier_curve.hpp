@@ -102,7 +102,7 @@ struct bezier_curve {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
-        const W u = c.uv.x;
+        const W u = c.u;
         vec3<W> from_center = seen_from(p0, ray, c.t), ahead(W(0));
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const polynomial<W, 3> center = coordinate<W>(axis);
@@ -174,7 +174,7 @@ private:
             error += b_noise + E(32 * unit_roundoff<W>) * (abs(E(middle)) + E(root));
             const auto end = [&](const W& sum, bool entering) {
                 crossing<W> c = part.at({sum / a, error / E(a), 0, 0, E(0)}, entering);
-                c.uv = {u, W(0)};
+                c.u = u;
                 return c;
             };
             return {end(middle - root, true), end(middle + root, false)};

@@ -60,7 +60,7 @@ struct bilinear_patch {
         W quarter(0.25), size = norm1(edge_u * quarter) + norm1(reach * quarter), scale = quarter / size;
         vec3<Q> a(edge_u * scale), w(edge_v * scale), turn(twist * scale),
             aw = cross(a, w), at_u = cross(a, turn), at_v = cross(turn, w),
-            outward = aw + at_u * Q(at.uv.x) + at_v * Q(at.uv.y);
+            outward = aw + at_u * Q(at.u) + at_v * Q(at.v);
         vec3<Q> direction = normalize_from<T>(vec3<Q>(vec3<W>(ray.direction)));
         // The three are independent unless the patch is flat: only then the normal may vanish, at a corner without an
         // edge or on a fold, and is that of the plane. Much smaller than its terms it is rounding for the most part.
@@ -76,7 +76,7 @@ struct bilinear_patch {
         facing -= direction * (Q(2) * max(Q(0), dot(facing, direction)));
         record_point_between(corners(), ray, at, rec, T(size));
         rec.normal = vec3<N>(facing);
-        rec.uv = {max(T(0), min(T(1), T(at.uv.x))), max(T(0), min(T(1), T(at.uv.y)))};
+        rec.uv = {max(T(0), min(T(1), T(at.u))), max(T(0), min(T(1), T(at.v)))};
     }
 
 private:
@@ -90,10 +90,10 @@ private:
         list.certain = c.certain;
         if (!c.exists) return list;
         list.append(c.t, c.error, c.entering);
-        W away = c.uv.x + c.uv.y;
-        vec2<W> uv(quotient(c.uv.x, away, W(0)), away);
+        W away = c.u + c.v;
+        vec2<W> uv(quotient(c.u, away, W(0)), away);
         for (std::size_t i = 0; i < turns; ++i) uv = {W(1) - uv.y, uv.x};
-        list.crossings[0].uv = uv;
+        list.crossings[0].u = uv.x, list.crossings[0].v = uv.y;
         return list;
     }
 
@@ -159,7 +159,7 @@ private:
             const std::size_t next = list.count;
             list.append(t, error * over_d2,
                         root.before * root.after > 0 ? along_ray(root, n, vec3<W>(edge_u + twist * v), along) : root);
-            for (std::size_t i = next; i < list.count; ++i) list.crossings[i].uv = {root.t, v};
+            for (std::size_t i = next; i < list.count; ++i) list.crossings[i].u = root.t, list.crossings[i].v = v;
         }
         sort_by_t(list);
         if (list.touches_origin() && lies_on(corner, origin)) list.start_at_origin();

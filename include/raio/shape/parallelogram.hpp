@@ -59,7 +59,7 @@ struct parallelogram {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
         record_flat(corners(), vec3<W>(edge_u), vec3<W>(edge_v), ray, at, rec);
-        rec.uv = {max(T(0), min(T(1), T(at.uv.x))), max(T(0), min(T(1), T(at.uv.y)))};
+        rec.uv = {max(T(0), min(T(1), T(at.u))), max(T(0), min(T(1), T(at.v)))};
     }
 
 private:

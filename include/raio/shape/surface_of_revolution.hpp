@@ -115,7 +115,7 @@ struct revolved_curve {
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
         const auto curve = beside_axis<W>();
-        const W s = c.uv.x;
+        const W s = c.u;
         vec3<W> p = seen_from(base, ray, c.t);
         const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x));
         const T high = max(max(abs(p0.y), abs(p1.y)), max(abs(p2.y), abs(p3.y)));

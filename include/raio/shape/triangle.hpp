@@ -61,8 +61,8 @@ struct triangle {
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
         vec3<W> e1 = difference_as<W>(b, a), e2 = difference_as<W>(c, a);
         record_flat(corners(), e1, e2, ray, at, rec);
-        const T u = max(T(0), min(T(1), T(at.uv.x)));
-        rec.uv = {u, max(T(0), min(T(1) - u, T(at.uv.y)))};
+        const T u = max(T(0), min(T(1), T(at.u)));
+        rec.uv = {u, max(T(0), min(T(1) - u, T(at.v)))};
     }
 
 private:

@@ -80,7 +80,8 @@ struct watertight_triangle {
                 .t = t,
                 .error = error,
                 .entering = (det > zero) == (direction.z > zero),
-                .uv = vec2<W>(v, w) * over_det};
+                .u = v * over_det,
+                .v = w * over_det};
     }
 
     template <class X, class W>
