@@ -39,14 +39,18 @@ RAIO_FN constexpr plane_height<W> height_above(const vec3<W>& normal, const vec3
     return {dot(normal, from_point), with_underflow<W>(E(5 * unit_roundoff<W>) * terms)};
 }
 
-/// What is missing of a crossing with the plane through `point`.
+/// What is missing of a crossing with a plane.
 /// \param normal  off by a rounding of X at most
+/// \param at      where the ray is, as seen from a point of the plane
+template <class X, class W>
+RAIO_FN constexpr crossing<W> correct_plane(const vec3<X>& normal, const nearby_point<X>& at, const vec3<W>& d) {
+    using E = bound_t<X>;
+    E size = norm1(vec3<E>(normal)), error = at.error + E(8 * unit_roundoff<X>) * norm1(vec3<E>(at.place));
+    return cross_plane(vec3<W>(normal), d, W(dot(normal, at.place)), size * error);
+}
 template <class X, class W, real T>
 RAIO_FN constexpr crossing<W> correct_plane(const vec3<X>& normal, const vec3<T>& point, const nearby_ray<X, W>& ray) {
-    using E = bound_t<X>;
-    auto [p, p_error] = ray.seen_from(point);
-    E size = norm1(vec3<E>(normal)), error = p_error + E(8 * unit_roundoff<X>) * norm1(vec3<E>(p));
-    return cross_plane(vec3<W>(normal), ray.direction, W(dot(normal, p)), size * error);
+    return correct_plane(normal, ray.seen_from(point), ray.direction);
 }
 
 /// Where a line crosses a plane, and how far from a point of that plane: the square of the distance and its error
@@ -58,15 +62,22 @@ struct crossing_about {
     bound_t<W> error;
 };
 
+/// \param l    from the point to the origin
+/// \param far  at least as long; l is off by a rounding of that
+template <class W>
+RAIO_FN constexpr crossing_about<W> cross_plane_about(const vec3<W>& normal, const vec3<W>& l, const bound_t<W>& far,
+                                                      const plane_height<W>& height, const vec3<W>& d) {
+    using E = bound_t<W>;
+    crossing<W> c = cross_plane(normal, d, height.value, height.error);
+    vec3<W> step = d * c.t, from_center = l + step;
+    E off = norm1(vec3<E>(d)) * c.error + E(3 * unit_roundoff<W>) * (far + norm1(vec3<E>(step)));
+    return {c, dot(from_center, from_center), off * (E(2) * norm1(vec3<E>(from_center)) + off)};
+}
 template <class W, real T, real R>
 RAIO_FN constexpr crossing_about<W> cross_plane_about(const vec3<T>& center, const vec3<T>& normal, const ray<R>& ray) {
-    using E = bound_t<W>;
-    vec3<W> n(normal), d(ray.direction), l = difference_as<W>(ray.origin, center);
-    auto height = height_above<W>(n, center, ray.origin);
-    crossing<W> c = cross_plane(n, d, height.value, height.error);
-    vec3<W> step = d * c.t, from_center = l + step;
-    E off = norm1(vec3<E>(d)) * c.error + E(3 * unit_roundoff<W>) * (norm1(vec3<E>(l)) + norm1(vec3<E>(step)));
-    return {c, dot(from_center, from_center), off * (E(2) * norm1(vec3<E>(from_center)) + off)};
+    vec3<W> n(normal), l = difference_as<W>(ray.origin, center);
+    return cross_plane_about(n, l, norm1(vec3<bound_t<W>>(l)), height_above<W>(n, center, ray.origin),
+                             vec3<W>(ray.direction));
 }
 
 /// Puts the recorded point onto its plane if that runs across an axis, as bounds without a thickness expect it: one

@@ -17,6 +17,103 @@
 
 namespace raio {
 
+namespace detail {
+
+/// Where a profile, or a part of it, keeps to: from the least (radius, height) to the greatest.
+template <class T>
+struct profile_bounds {
+    vec2<T> low, high;
+
+    template <class Points>
+    RAIO_FN static constexpr profile_bounds around(const Points& points) {
+        profile_bounds all{points[0], points[0]};
+        for (const vec2<T>& p : points) {
+            all = {{min(all.low.x, p.x), min(all.low.y, p.y)}, {max(all.high.x, p.x), max(all.high.y, p.y)}};
+        }
+        return all;
+    }
+};
+
+/// A line and an axis. It tells parts of a surface about the axis that the line passes by, beyond doubt and for less
+/// than a closer look takes: between two heights the line is nearest to the axis at one place, and farthest at an end.
+template <class W>
+class line_beside_axis {
+public:
+    using E = bound_t<W>;
+
+    /// \param whole  the bounds of all that is asked for
+    template <real R, real P, real T>
+    RAIO_FN constexpr line_beside_axis(const ray<R>& ray, const vec3<P>& base, const vec3<P>& axis,
+                                       const profile_bounds<P>& whole, const T& t_min, const T& t_max) {
+        const vec3<W> a(axis);
+        const W low(whole.low.y), high(whole.high.y);
+        axis2_ = dot(a, a);
+        const W reach = W(whole.high.x) + (high - low) * (W(0.5) * sqrt(axis2_));
+        const auto part = part_near(ray, base, vec3<W>(base) + a * ((low + high) * W(0.5)), reach);
+        const E size = norm1(vec3<E>(part.from)) + E(2) * norm1(vec3<E>(part.along));
+        // How far a point of the line may be off, and what comes of that: the square of its distance from the axis is
+        // off by 7 axis_size^2 size off, and that of the nearest point by no more than 4 times that.
+        const E off = norm1(part.error) + E(8 * unit_roundoff<W>) * size, axis_size = norm1(vec3<E>(a));
+        height_error_ = E(2) * axis_size * off;
+        slack_ = E(32) * axis_size * axis_size * size * off;
+        knows_ = part.certain && part.half >= W(least_normal<W>) && slack_ >= E(least_normal<W>) && is_finite(slack_);
+        misses_ = knows_ && !part.exists;
+        if (misses_ || !knows_) return;
+
+        const vec3<W> from = cross(part.from, a), along = cross(part.along, a);
+        distance2_ = {{dot(from, from), W(2) * dot(from, along), dot(along, along)}};
+        height_ = dot(part.from, a);
+        const W rise = dot(part.along, a);
+        is_level_ = abs(E(rise)) <= height_error_;
+        over_rise_ = is_level_ ? W(0) : W(1) / rise;
+        nearest_ = quotient(W(-0.5) * distance2_.coefficient[1], distance2_.coefficient[2], W(0));
+        middle_ = part.middle, over_half_ = W(1) / part.half;
+        first_ = max(-part.reach, place_of(t_min) - margin(t_min)), last_ = part.reach;
+        end_at(t_max);
+    }
+
+    /// From here on, nothing beyond t counts.
+    template <real T>
+    RAIO_FN constexpr void end_at(const T& t) {
+        last_ = min(last_, place_of(t) + margin(t));
+    }
+
+    template <real T>
+    RAIO_FN constexpr bool passes(const profile_bounds<T>& part) const {
+        if (misses_ || !knows_) return misses_;
+        const W low = W(part.low.y) * axis2_ - height_, high = W(part.high.y) * axis2_ - height_;
+        W begin = first_, end = last_;
+        if (is_level_) {
+            if (E(low) > E(4) * height_error_ || E(high) < E(-4) * height_error_) return true;
+        } else {
+            const W one = low * over_rise_, other = high * over_rise_, more(height_error_ * abs(E(over_rise_)));
+            begin = max(begin, min(one, other) - more), end = min(end, max(one, other) + more);
+        }
+        if (end < begin) return true;
+        const W inner(part.low.x), outer(part.high.x), nearest = min(max(nearest_, begin), end);
+        return E(distance2_(nearest)) > E(outer * outer * axis2_) + slack_ ||
+               E(max(distance2_(begin), distance2_(end))) + slack_ < E(inner * inner * axis2_);
+    }
+
+private:
+    template <real T>
+    RAIO_FN constexpr W place_of(const T& t) const {
+        return (W(t) - middle_) * over_half_;
+    }
+    /// For the roundings of a place, and of t to T.
+    template <real T>
+    RAIO_FN constexpr W margin(const T& t) const {
+        return W(0x1p-10) + abs(W(t)) * (W(4 * unit_roundoff<T>) * over_half_);
+    }
+
+    bool knows_, misses_, is_level_{};
+    polynomial<W, 2> distance2_;  ///< times the square of the axis, as the height is
+    W axis2_, height_{0}, over_rise_{0}, nearest_{0}, middle_{0}, over_half_{0}, first_{0}, last_{0};
+    E height_error_, slack_;
+};
+
+}  // namespace detail
+
 /// A curve beside an axis, as polynomials of its parameter from 0 to 1.
 template <class W>
 struct curve_beside_axis {

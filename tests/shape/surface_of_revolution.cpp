@@ -9,6 +9,115 @@
 
 namespace raio::test {
 
+/// Those of a segment of a profile in 50 digits, as those of the shape that it is.
+inline chord<oracle> crossings_of_piece(const vec3<oracle>& base, const vec3<oracle>& axis, const vec2<oracle>& from,
+                                        const vec2<oracle>& to, const ray<oracle>& r) {
+    const vec3<oracle> start = base + axis * from.y, end = base + axis * to.y;
+    if (from.y != to.y) return open_frustum<oracle>{start, end, from.x, to.x}.crossings<oracle>(r);
+    chord<oracle> c{};
+    c.near = ring<oracle>{start, axis, min(from.x, to.x), max(from.x, to.x)}.crossings<oracle>(r);
+    return c;
+}
+
+/// A surface whose profile is one segment, of which `crossings` can be asked.
+template <real T>
+struct lone_segment {
+    using number = T;
+
+    vec3<T> base, axis;
+    T from_radius, from_height, to_radius, to_height;
+
+    detail::revolved_segment<T> piece() const {
+        return {base, axis, {from_radius, from_height}, {to_radius, to_height}};
+    }
+    surface_of_revolution<T> surface() const {
+        return {base, axis, {{from_radius, from_height}, {to_radius, to_height}}};
+    }
+    bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+        return surface().hit(ray, t_min, t_max, rec);
+    }
+    bool occluded(const ray<T>& ray, T t_min, T t_max) const { return surface().occluded(ray, t_min, t_max); }
+    template <class W, real R>
+    auto crossings(const ray<R>& ray) const {
+        if constexpr (std::same_as<T, oracle>) {
+            return crossings_of_piece(base, axis, {from_radius, from_height}, {to_radius, to_height}, ray);
+        } else {
+            return piece().template crossings<W>(ray);
+        }
+    }
+    template <class X, class W>
+    crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        return piece().correction(ray, c);
+    }
+};
+
+struct segment_profile {
+    static auto ends(const auto& s) {
+        const auto base = to_double(s.base), axis = to_double(s.axis);
+        return std::pair(base + axis * static_cast<double>(s.from_height),
+                         base + axis * static_cast<double>(s.to_height));
+    }
+    static double radius(const auto& s, double h) {
+        return static_cast<double>(s.from_radius) * (1 - h) + static_cast<double>(s.to_radius) * h;
+    }
+    static double slope(const auto& s, double) { return static_cast<double>(s.to_radius - s.from_radius); }
+    static double height(const auto&, random_numbers& random) { return random.uniform(0.01, 0.99); }
+};
+
+template <class T>
+struct subject<lone_segment<T>> : revolved_subject<lone_segment<T>, segment_profile> {
+    static auto fields(auto& s) {
+        return std::tie(s.base, s.axis, s.from_radius, s.from_height, s.to_radius, s.to_height);
+    }
+    /// One in four is a ring, one in four comes to a point, one in eight is a cylinder.
+    static lone_segment<T> random(random_numbers& random, double size, const vec3<double>& place) {
+        const double unit = random.log_uniform(1e-2, 1e2);
+        const auto radius = [&] { return static_cast<T>(size * random.log_uniform(0.1, 1)); };
+        const auto height = [&] { return static_cast<T>(size / unit * random.uniform(-2, 2)); };
+        lone_segment<T> s{vec3<T>(place), vec3<T>(random.direction() * unit), radius(), height(), radius(), height()};
+        if (random.one_in(4)) s.to_height = s.from_height;
+        if (random.one_in(8)) s.to_radius = s.from_radius;
+        if (random.one_in(4)) (random.one_in(2) ? s.from_radius : s.to_radius) = T(0);
+        return s;
+    }
+    static lone_segment<T> lattice(random_numbers& random) {
+        lone_segment<T> s{{},
+                          {},
+                          T(random.integer(0, 3)),
+                          T(random.integer(-3, 3)),
+                          T(random.integer(0, 3)),
+                          T(random.integer(-3, 3))};
+        for_each_number(s.base, [&](T& x) { x = T(random.integer(-3, 3)); });
+        for_each_number(s.axis, [&](T& x) { x = T(random.integer(-3, 3)); });
+        return s;
+    }
+    /// On an end of it, a silhouette of a ring as well.
+    static vec3<double> special_point(const lone_segment<T>& s, const vec3<double>& from, random_numbers& random) {
+        if (s.from_height != s.to_height)
+            return revolved_subject<lone_segment<T>, segment_profile>::special_point(s, from, random);
+        const double rho = static_cast<double>(random.one_in(2) ? s.from_radius : s.to_radius);
+        return segment_profile::ends(s).first + random.perpendicular(to_double(s.axis)) * rho;
+    }
+    static vec3<double> inner_point(const lone_segment<T>& s, random_numbers& random) {
+        const double h = random.uniform(0.01, 0.99);
+        const auto [from, to] = segment_profile::ends(s);
+        return from + (to - from) * h + random.perpendicular(to_double(s.axis)) * segment_profile::radius(s, h);
+    }
+    static lone_segment<oracle> grown(lone_segment<oracle> s) {
+        const oracle more(1e-40), height = (s.to_height - s.from_height) * more;
+        if (height == 0) {
+            if (s.from_radius == s.to_radius) return s;  // nothing at all
+            const bool widens = s.from_radius < s.to_radius;
+            s.from_radius *= widens ? 1 - more : 1 + more;
+            s.to_radius *= widens ? 1 + more : 1 - more;
+        } else {
+            s.from_height -= height, s.to_height += height;
+            s.from_radius *= 1 + more, s.to_radius *= 1 + more;
+        }
+        return s;
+    }
+};
+
 namespace {
 
 /// A goblet, and its hollow: from the middle of its foot to the middle of its cup.
@@ -67,17 +176,10 @@ std::vector<oracle> exact_crossings(const surface_of_revolution<T>& s, const ray
     const ray<oracle> exact_ray{vec3<oracle>(r.origin), vec3<oracle>(r.direction)};
     const vec3<oracle> base(s.base), axis(s.axis);
     for (std::size_t i = 0; i + 1 < s.profile.size(); ++i) {
-        const vec2<oracle> from(s.profile[i]), to(s.profile[i + 1]);
-        if (from.y == to.y) {
-            const ring<oracle> piece{vec3<oracle>(base + axis * from.y), axis, min(from.x, to.x), max(from.x, to.x)};
-            if (const auto c = piece.crossings<oracle>(exact_ray); c.exists) all.push_back(c.t);
-        } else {
-            const open_frustum<oracle> piece{vec3<oracle>(base + axis * from.y), vec3<oracle>(base + axis * to.y),
-                                             from.x, to.x};
-            const auto c = piece.crossings<oracle>(exact_ray);
-            if (c.near.exists) all.push_back(c.near.t);
-            if (c.far.exists) all.push_back(c.far.t);
-        }
+        const auto c =
+            crossings_of_piece(base, axis, vec2<oracle>(s.profile[i]), vec2<oracle>(s.profile[i + 1]), exact_ray);
+        if (c.near.exists) all.push_back(c.near.t);
+        if (c.far.exists) all.push_back(c.far.t);
     }
     std::sort(all.begin(), all.end());
     return all;
@@ -162,6 +264,17 @@ TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, RAIO_NUMBERS
         REQUIRE((rec.uv.x >= 0 && rec.uv.x <= 1 && rec.uv.y >= 0 && rec.uv.y <= 1));
     }
     CHECK(hits > rays / 4);
+}
+
+TEST_CASE_TEMPLATE("surface of revolution: of one segment, as exact arithmetic", T, RAIO_NUMBERS) {
+    check_accuracy<lone_segment<T>>(normal_run, 1.0 / 500);
+    check_bounds_of_errors<lone_segment<T>>(share_of(20'000));
+}
+
+TEST_CASE_TEMPLATE("surface of revolution: of one segment, as exact arithmetic, ten million times" *
+                       doctest::test_suite("nightly"),
+                   T, RAIO_NUMBERS) {
+    check_accuracy<lone_segment<T>>(nightly_run, 1.0 / 500);
 }
 
 TEST_CASE_TEMPLATE("surface of revolution: closed where its profile begins and ends on the axis", T, RAIO_NUMBERS) {

@@ -32,26 +32,37 @@ RAIO_FN constexpr chord<W> one_nappe(const quadric_chord<W>& c, const mask_t<W>&
     return {near, far_end};
 }
 
+/// From the end with the lesser radius to the other.
+template <class W, real T>
+RAIO_FN constexpr vec3<W> widening_axis(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
+    const mask_t<T> turned = radii.y < radii.x;
+    return vec3<W>(select(turned, base, top)) - vec3<W>(select(turned, top, base));
+}
+
 /// The side, from the end with the lesser radius on.
 template <class W, real T>
-RAIO_FN constexpr revolved_quadric<W> nappes(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
-    const mask_t<T> turned = radii.y < radii.x;
-    vec3<W> axis = vec3<W>(select(turned, base, top)) - vec3<W>(select(turned, top, base));
+RAIO_FN constexpr revolved_quadric<W> nappes(const vec3<W>& widening_axis, const vec2<T>& radii) {
     W r(min(radii.x, radii.y)), radius(max(radii.x, radii.y)), widening = radius - r;
-    return {axis, W(1), r * r, W(2) * r * widening, widening * widening, W(0), radius};
+    return {widening_axis, W(1), r * r, W(2) * r * widening, widening * widening, W(0), radius};
 }
 
 /// The chord through the one nappe, endless at its wide end.
+/// \param to_end  from the origin of the ray to the end with the lesser radius
+/// \param far     at least as long; to_end is off by a rounding of that
+template <class W, real T>
+RAIO_FN constexpr chord<W> cross_nappe(const revolved_quadric<W>& cone, const vec2<T>& radii, const vec3<W>& to_end,
+                                       const bound_t<W>& far, const vec3<W>& d) {
+    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0));
+    chord<W> c = one_nappe(cross_quadric(cone, to_end, far, d), dot(d, cone.axis) > W(0));
+    c.near.exists = c.far.exists = every(c.near.exists, sound);
+    return c;
+}
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
                                        const ray<R>& ray) {
-    vec3<W> to_center = vec3<W>(select(radii.y < radii.x, top, base)) - vec3<W>(ray.origin), d(ray.direction);
-    revolved_quadric<W> cone = nappes<W>(base, top, radii);
-    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0));
-    chord<W> c =
-        one_nappe(cross_quadric(cone, to_center, norm1(vec3<bound_t<W>>(to_center)), d), dot(d, cone.axis) > W(0));
-    c.near.exists = c.far.exists = every(c.near.exists, sound);
-    return c;
+    vec3<W> to_end = vec3<W>(select(radii.y < radii.x, top, base)) - vec3<W>(ray.origin);
+    return cross_nappe(nappes(widening_axis<W>(base, top, radii), radii), radii, to_end,
+                       norm1(vec3<bound_t<W>>(to_end)), vec3<W>(ray.direction));
 }
 
 /// What is missing of a crossing.
@@ -60,7 +71,7 @@ RAIO_FN constexpr crossing<W> correct_frustum(const vec3<T>& base, const vec3<T>
                                               const nearby_ray<X, W>& ray, const crossing<W>& c) {
     return correct_axial(base, top, ray, c, [&] {
         const auto from_narrow_end = ray.seen_from(radii.y < radii.x ? top : base);
-        return correct_quadric(nappes<X>(base, top, radii), from_narrow_end, ray.direction, c);
+        return correct_quadric(nappes(widening_axis<X>(base, top, radii), radii), from_narrow_end, ray.direction, c);
     });
 }
 

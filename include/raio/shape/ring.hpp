@@ -8,6 +8,28 @@
 
 namespace raio {
 
+namespace detail {
+
+/// The crossing with the plane, if it lies between both rims.
+template <class W, real T>
+RAIO_FN constexpr crossing<W> between_rims(const crossing_about<W>& plane, const T& inner_radius,
+                                           const T& outer_radius) {
+    using E = bound_t<W>;
+    constexpr double u = unit_roundoff<W>;
+    auto [c, distance2, distance2_error] = plane;
+    W outer2 = W(outer_radius) * W(outer_radius), inner2 = W(inner_radius) * W(inner_radius);
+    W from_outer = outer2 - distance2, from_inner = distance2 - inner2;
+    E outer_slack = with_underflow<W>(distance2_error + E(8 * u) * E(outer2));
+    E inner_slack = with_underflow<W>(distance2_error + E(8 * u) * E(inner2));
+    const mask_t<W> spread = every(inner_radius >= T(0), outer_radius > inner_radius);
+    c.exists = every(c.exists, from_outer >= -tie<W>(outer_slack), from_inner >= -tie<W>(inner_slack), spread);
+    c.certain = every(c.certain, some(abs(from_outer) > outer_slack, from_inner < -inner_slack),
+                      some(abs(from_inner) > inner_slack, from_outer < -outer_slack));
+    return c;
+}
+
+}  // namespace detail
+
 /// The points of a plane at least `inner_radius` and at most `outer_radius` from `center`: an annulus. Where the ray
 /// meets the plane, the squared distance decides.
 ///
@@ -48,18 +70,7 @@ struct ring {
 
     template <class W, real R>
     RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
-        using E = bound_t<W>;
-        constexpr double u = unit_roundoff<W>;
-        auto [c, distance2, distance2_error] = cross_plane_about<W>(center, normal, ray);
-        W outer2 = W(outer_radius) * W(outer_radius), inner2 = W(inner_radius) * W(inner_radius);
-        W from_outer = outer2 - distance2, from_inner = distance2 - inner2;
-        E outer_slack = with_underflow<W>(distance2_error + E(8 * u) * E(outer2));
-        E inner_slack = with_underflow<W>(distance2_error + E(8 * u) * E(inner2));
-        const mask_t<W> spread = every(inner_radius >= T(0), outer_radius > inner_radius);
-        c.exists = every(c.exists, from_outer >= -tie<W>(outer_slack), from_inner >= -tie<W>(inner_slack), spread);
-        c.certain = every(c.certain, some(abs(from_outer) > outer_slack, from_inner < -inner_slack),
-                          some(abs(from_inner) > inner_slack, from_outer < -outer_slack));
-        return c;
+        return detail::between_rims(cross_plane_about<W>(center, normal, ray), inner_radius, outer_radius);
     }
 
     template <class X, class W>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <raio/math/bezier.hpp>
@@ -13,8 +14,8 @@ namespace detail {
 
 /// What one straight piece of a profile sweeps: the side of a frustum, or a ring where it runs across the axis.
 ///
-/// The ends of neighbours lie in one plane and have one radius in every precision W: as seen from the base of the axis
-/// they are products and differences of two numbers, and nothing is certain in a W in which these are rounded.
+/// The ray is seen from the base of the axis. That is rounded, and so are the points of the axis from there: by less
+/// than a rounding of twice their sizes together.
 template <real T>
 struct revolved_segment {
     using number = T;
@@ -22,47 +23,49 @@ struct revolved_segment {
     vec3<T> base, axis;
     vec2<T> from, to;  ///< (radius, height)
 
-    RAIO_FN constexpr bool is_flat() const { return from.y == to.y; }
-
-    /// The shape in the precision of W, as seen from `from_base`, and the ray from there.
-    template <real W>
-    RAIO_FN constexpr open_frustum<W> as_frustum(const vec3<W>& from_base) const {
-        const vec3<W> a(axis);
-        return {from_base + a * W(from.y), from_base + a * W(to.y), W(from.x), W(to.x)};
-    }
-    template <real W>
-    RAIO_FN constexpr ring<W> as_ring(const vec3<W>& from_base) const {
-        const vec3<W> a(axis);
-        return {from_base + a * W(from.y), a, W(min(from.x, to.x)), W(max(from.x, to.x))};
-    }
-    template <class W, real R>
-    RAIO_FN constexpr raio::ray<W> seen_from_base(const ray<R>& ray) const {
-        return {difference_as<W>(ray.origin, base), vec3<W>(ray.direction)};
-    }
-
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        const raio::ray<W> moved = seen_from_base<W>(ray);
-        const vec3<W> origin(ray.origin), at_base(base), zero(W(0));
+        using E = bound_t<W>;
+        vec3<W> a(axis), d(ray.direction), origin = difference_as<W>(ray.origin, base);
+        const auto seen_from = [&](const T& height) {
+            vec3<W> on_axis = product_as<W>(axis, height), l = origin - on_axis;
+            vec3<E> sizes = (abs(vec3<E>(origin)) + abs(vec3<E>(on_axis))) * E(2);
+            E error = with_underflow<W>(E(4 * unit_roundoff<W>) * dot(abs(vec3<E>(a)), sizes));
+            return axis_point<W>{l, norm1(sizes), {dot(a, l), error}};
+        };
         chord<W> c{};
         c.far.certain = true;
         if (is_flat()) {
-            c.near = as_ring(zero).template crossings<W>(moved);
+            const auto center = seen_from(from.y);
+            c.near = between_rims(cross_plane_about(a, center.to_origin, center.far, center.above, d),
+                                  min(from.x, to.x), max(from.x, to.x));
         } else {
-            c = as_frustum(zero).template crossings<W>(moved);
+            const auto narrow = seen_from(narrow_end().y), wide = seen_from(wide_end().y);
+            c = cross_nappe(cone<W>(), vec2<T>(from.x, to.x), -narrow.to_origin, narrow.far, d);
+            if (missed(c)) return c;
+            const bool widens = narrow_end().y < wide_end().y;
+            chord<W> slab =
+                widens ? cross_slab(a, narrow.above, wide.above, d) : cross_slab(a, wide.above, narrow.above, d);
+            c = {within(slab, c.near), within(slab, c.far)};
         }
-        constexpr bool products_are_exact = unit_roundoff<W> <= unit_roundoff<T> * unit_roundoff<T>;
-        const bool exact = products_are_exact && moved.origin + at_base == origin && origin - moved.origin == at_base;
-        for (crossing<W>* end : {&c.near, &c.far}) {
-            end->certain = end->certain && exact;
-            keep_if_reachable<T>(ray, *end);
-        }
+        keep_if_reachable<T>(ray, c);
         return c;
+    }
+
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        using E = bound_t<X>;
+        auto [place, error] = ray.seen_from(base);
+        vec3<X> on_axis = product_as<X>(axis, narrow_end().y);
+        error += E(4 * unit_roundoff<X>) * (norm1(vec3<E>(place)) + norm1(vec3<E>(on_axis)));
+        nearby_point<X> at{place - on_axis, error};
+        if (is_flat()) return correct_plane(vec3<X>(axis), at, ray.direction);
+        return correct_quadric(cone<X>(), at, ray.direction, c);
     }
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        const raio::ray<W> moved = seen_from_base<W>(ray);
+        const raio::ray<W> moved{difference_as<W>(ray.origin, base), vec3<W>(ray.direction)};
         const vec3<W> zero(W(0));
         hit_record<W, N> local;
         if (is_flat()) {
@@ -81,6 +84,39 @@ struct revolved_segment {
 
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
         return is_flat() ? as_ring(base).sample(u) : as_frustum(base).sample(u);
+    }
+
+private:
+    /// A point of the axis: from there to the ray's origin, a bound of which that is off by a rounding, and how high
+    /// the origin is above it.
+    template <class W>
+    struct axis_point {
+        vec3<W> to_origin;
+        bound_t<W> far;
+        plane_height<W> above;
+    };
+
+    RAIO_FN constexpr bool is_flat() const { return from.y == to.y; }
+    RAIO_FN constexpr const vec2<T>& narrow_end() const { return to.x < from.x ? to : from; }
+    RAIO_FN constexpr const vec2<T>& wide_end() const { return to.x < from.x ? from : to; }
+
+    /// The side; its axis is off by two roundings.
+    template <class W>
+    RAIO_FN constexpr revolved_quadric<W> cone() const {
+        W height = difference_as<W>(wide_end().y, narrow_end().y);
+        return nappes(product_as<W>(axis, height), vec2<T>(from.x, to.x));
+    }
+
+    /// The shape in the precision of W, as seen from `from_base`.
+    template <real W>
+    RAIO_FN constexpr open_frustum<W> as_frustum(const vec3<W>& from_base) const {
+        const vec3<W> a(axis);
+        return {from_base + a * W(from.y), from_base + a * W(to.y), W(from.x), W(to.x)};
+    }
+    template <real W>
+    RAIO_FN constexpr ring<W> as_ring(const vec3<W>& from_base) const {
+        const vec3<W> a(axis);
+        return {from_base + a * W(from.y), a, W(min(from.x, to.x)), W(max(from.x, to.x))};
     }
 };
 
@@ -167,7 +203,10 @@ struct surface_of_revolution {
 
     mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
         bool found = false;
+        if (segments() == 0) return found;
+        auto line = seen_by(ray, t_min, t_max);
         for (std::size_t i = 0; i < segments(); ++i) {
+            if (line.passes(bounds_of(i))) continue;
             hit_record<T> candidate;
             if (!first_hit(segment(i), ray, t_min, found ? rec.t : t_max, candidate)) continue;
             if (found && !(candidate.t < rec.t)) continue;
@@ -175,13 +214,16 @@ struct surface_of_revolution {
             rec.index = static_cast<index_t<T>>(i);
             rec.uv.y = (T(static_cast<double>(i)) + rec.uv.y) / T(static_cast<double>(segments()));
             found = true;
+            line.end_at(rec.t);
         }
         return found;
     }
 
     mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
+        if (segments() == 0) return false;
+        const auto line = seen_by(ray, t_min, t_max);
         for (std::size_t i = 0; i < segments(); ++i) {
-            if (any_hit(segment(i), ray, t_min, t_max)) return true;
+            if (!line.passes(bounds_of(i)) && any_hit(segment(i), ray, t_min, t_max)) return true;
         }
         return false;
     }
@@ -222,6 +264,15 @@ struct surface_of_revolution {
 
 private:
     std::size_t segments() const { return profile.empty() ? 0 : (profile.size() - 1) / Degree; }
+
+    detail::profile_bounds<T> bounds_of(std::size_t i) const {
+        return detail::profile_bounds<T>::around(std::span(profile).subspan(Degree * i, Degree + 1));
+    }
+
+    auto seen_by(const ray<T>& ray, T t_min, T t_max) const {
+        const auto whole = detail::profile_bounds<T>::around(profile);
+        return detail::line_beside_axis<working_t<T>>(ray, base, axis, whole, t_min, t_max);
+    }
 
     auto segment(std::size_t i) const {
         if constexpr (Degree == 1) {
