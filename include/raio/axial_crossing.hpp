@@ -116,22 +116,21 @@ RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, co
     W height = dot(from_base, axis) / dot(axis, axis);
     vec3<W> across = from_base - axis * height;
     const mask_t<T> side = c.face == index_t<T>(0), low = c.face == index_t<T>(1);
-    vec3<Q> up = normalize_from<T>(vec3<Q>(axis)), from_axis(across);
+    vec3<Q> up = scaled_into_range<T>(vec3<Q>(axis)), from_axis(across);
     vec3<Q> sideways = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
-    // One root and one division for both: to make the gradient unit, and to compare a cap's point with its radius.
-    const Q size = length(select(side, sideways, from_axis)), radius(select(low, radii.x, radii.y));
-    const Q over = quotient(Q(1), select(side, size, radius), Q(0));
-    vec3<Q> outward = select(side, sideways * over, up * select(low, Q(-1), Q(1)));
-    const mask_t<T> waist = every(side, !(size > Q(0)));
+    vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
+    Q steep = length(outward);
+    const mask_t<T> waist = !(steep > Q(0));
     if (any(waist)) {  // too narrow for a normal: it is the axis, against the ray
         const Q turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction)))) * select(c.entering, Q(1), Q(-1));
-        outward = select(waist, up * turned, outward);
+        outward = select(waist, up * turned, outward), steep = select(waist, length(up), steep);
     }
 
     record_point(ray, c, rec, bend);
-    rec.normal = vec3<N>(outward * select(c.entering, Q(1), Q(-1)));
-    const frame<Q> f = frame_about(up);
-    const T rho(size * over);
+    rec.normal = vec3<N>(outward * (select(c.entering, Q(1), Q(-1)) / steep));
+    // Angles do not ask for unit length.
+    const frame<Q> f = frame_about(up, length(up));
+    const T rho(quotient(length(from_axis), Q(select(low, radii.x, radii.y)), Q(0)));
     rec.uv = {turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))),
               max(T(0), min(T(1), select(side, T(height), rho)))};
 }

@@ -23,21 +23,27 @@ RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, cons
     W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, passed2 = dot(moment, moment);
     W s2 = ar2 - passed2;
 
-    // With u the unit roundoff, l x d is off by less than 4 Roundings u |l| |d|, and that decides whether the line
-    // passes by. The size of a vector is the sum of its components here.
+    // With u the unit roundoff, l x d is off by less than e = 4 Roundings u |l| |d|, and that decides whether the line
+    // passes by: its length is on the same side of |d| radius if its square is farther from that than e (2 |d| radius +
+    // e). The size of a vector is the sum of its components here, at most 1.74 times its length. Where a closer look
+    // can follow, the lengths' squares do: 2 e |d| radius is at most part |d|^2 radius^2 + e^2 / part.
     constexpr double u = unit_roundoff<W>, least = least_normal<W>;
-    E l_size = norm1(vec3<E>(l)), d_size = norm1(vec3<E>(d)), moment_error = E(4 * Roundings * u) * l_size * d_size;
-    E s2_error =
-        moment_error * (E(2) * norm1(vec3<E>(moment)) + moment_error) + E(8 * Roundings * u) * (E(ar2) + E(passed2));
-    s2_error = with_underflow<W>(s2_error);
+    E l_size = norm1(vec3<E>(l)), d_size = norm1(vec3<E>(d)), s2_error;
+    if constexpr (std::same_as<W, strict_double>) {
+        constexpr double part = 0x1p-21, of_sizes = 256 * Roundings * Roundings * u * u / part;
+        s2_error = E(2 * part) * (E(ar2) + E(passed2)) + E(of_sizes) * (E(a) * E(dot(l, l)));
+    } else {
+        E e = E(4 * Roundings * u) * l_size * d_size, rounding = E(8 * Roundings * u) * (E(ar2) + E(passed2));
+        s2_error = with_underflow<W>(e * (E(2) * d_size * E(radius) + e) + rounding);
+    }
     // A sphere so small that the last precision cannot tell it from its centre has no normal: it is missed.
     E resolved = tie<W>(E(0x1p24 * u * u) * (E(b) * E(b)));
+    const mask_t<W> sound = a >= W(least), apart = every(sound, s2 < -s2_error);
     const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), ar2 >= W(least) + resolved, radius > W(0));
-    // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
-    const mask_t<W> long_chord = every(s2 > s2_error, s2 > W(0x1p-10) * ar2);
-    const mask_t<W> certain = every(a >= W(least), some(s2 < -s2_error, long_chord));
-    if (none(exists)) return {{exists, certain, W(0), E(0), exists}, {exists, certain, W(0), E(0), exists}};
+    if (none(exists)) return nowhere<W>(apart);
 
+    // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
+    const mask_t<W> certain = some(apart, every(sound, s2 > s2_error, s2 > W(0x1p-10) * ar2));
     W s = sqrt(max(s2, W(0))), over_a = W(1) / a, c = dot(l, l) - radius * radius;
     E error = with_underflow<W>(E(0x1p9 * Roundings * u) * d_size * (l_size + E(radius)) * E(over_a));
     vec2<W> t = quadratic_roots(over_a, b, c, s);

@@ -54,6 +54,7 @@ findings<T, N> judge(const crossing<pack<T, N>>& c, const pack<T, N>& t_min, con
 template <class T, std::size_t N>
 findings<T, N> judge(const chord<pack<T, N>>& c, const pack<T, N>& t_min, const pack<T, N>& t_max) {
     using W = pack<T, N>;
+    if (missed(c)) return {0, 0, W(0), W(0)};
     W near_low = c.near.t - c.near.error, near_high = c.near.t + c.near.error;
     W far_low = c.far.t - c.far.error, far_high = c.far.t + c.far.error;
     const lanes_of_crossing<T, N> near(c.near, near_low, near_high, t_min, t_max);

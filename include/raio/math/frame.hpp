@@ -15,13 +15,13 @@ struct frame {
 };
 
 /// A frame about the unit vector `z`, without branches or roots, continuous but at z.z = 0 (Duff et al., JCGT 6(1),
-/// 2017).
+/// 2017). About a vector of another length, if that is given: three vectors of that length.
 template <real T>
-RAIO_FN constexpr frame<T> frame_about(const vec3<T>& z) {
+RAIO_FN constexpr frame<T> frame_about(const vec3<T>& z, const T& length = T(1)) {
     const T sign = copysign(T(1), z.z);
-    const T a = T(-1) / (sign + z.z);
+    const T a = T(-1) / (sign * length + z.z);
     const T b = z.x * z.y * a;
-    return {{T(1) + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
+    return {{length + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign * length + z.y * z.y * a, -z.y}, z};
 }
 
 }  // namespace raio
