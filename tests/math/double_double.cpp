@@ -57,6 +57,15 @@ TEST_CASE("double_double: sums and products of doubles have no error") {
     }
 }
 
+TEST_CASE("double_double: so do products up to the end of the range") {
+    random_numbers random(3);
+    for (int i = 0; i < 10'000; ++i) {
+        const double a = std::ldexp(random.uniform(-1, 1), random.integer(960, 1024)), b = random.log_uniform(1e-15, 1);
+        REQUIRE(exactly(product_as<double_double>(a, b)) == oracle(a) * oracle(b));
+        REQUIRE(exactly(product_as<double_double>(b, a)) == oracle(a) * oracle(b));
+    }
+}
+
 TEST_CASE("double_double: compares, rounds and changes signs like a number") {
     const double_double one(1), more = one + double_double(0x1p-80), less = one - double_double(0x1p-80);
     CHECK((less < one && one < more && more > less && one <= one && one >= one && one == one && one != more));

@@ -126,7 +126,11 @@ private:
 #if defined(__FMA__) || defined(FP_FAST_FMA) || defined(__CUDA_ARCH__)
         if (!std::is_constant_evaluated()) return {product, std::fma(a, b, -product)};
 #endif
-        if (raio::abs(a) > 0x1p990 || raio::abs(b) > 0x1p990) return product;  // the splitting would overflow
+        if (raio::abs(a) > 0x1p990 || raio::abs(b) > 0x1p990) {  // the splitting would overflow; the other has room
+            if (!raio::is_finite(product)) return {product, -product};
+            const bool is_a = raio::abs(a) > 0x1p990;
+            return {product, exact_product(is_a ? a * 0x1p-64 : a, is_a ? b : b * 0x1p-64).low_ * 0x1p64};
+        }
         const double_double x = split(a), y = split(b);
         const double rest = detail::rounded_product(x.high_, y.high_) - product;
         const double cross = detail::rounded_product(x.high_, y.low_);

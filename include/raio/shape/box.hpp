@@ -57,7 +57,14 @@ struct box {
         // Where the line enters and leaves the slab across one axis.
         const auto slab = [](R origin, R direction, T low, T high) {
             W o(origin), over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
-            W to_low = (W(low) - o) * over_d, to_high = (W(high) - o) * over_d;
+            const auto way_to = [&](T face) {
+                W apart = W(face) - o, t = apart * over_d;
+                if constexpr (std::same_as<W, double_double>) {  // whose products are no numbers beyond its range
+                    if (!is_finite(t)) t = (apart > W(0)) == (over_d > W(0)) ? inf : -inf;
+                }
+                return t;
+            };
+            W to_low = way_to(low), to_high = way_to(high);
             vec2<W> across(raio::min(to_low, to_high), raio::max(to_low, to_high));
             // So is a line that would take more than W can say to cross anything.
             const mask_t<W> parallel = some(direction == R(0), !is_finite(over_d));
