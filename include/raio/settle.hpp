@@ -226,7 +226,7 @@ RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit
     vec3<T> error = vec3<T>(abs(ray.direction) * R(of_t)) + vec3<T>(abs(ray.origin) * R(in_w));
     error += abs(rec.point) * T(in_t + in_w);
     error = error * T(up) + vec3<T>(floor);
-    rec.error = {min(error.x, most), min(error.y, most), min(error.z, most)};
+    rec.error = {min(most, error.x), min(most, error.y), min(most, error.z)};  // `most` also for what is not a number
     rec.index = index_t<T>{};
     rec.front_face = c.entering;
 }

@@ -65,6 +65,14 @@ TEST_CASE_TEMPLATE("box: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("box: from so far that a step of t leaves the range (error not a number)") {
+    const double half = 0x1.32dfab08214e5p+9;
+    check_cases<box<double>>({{"straight ahead",
+                               {{-half, -half, -half}, {half, half, half}},
+                               {{0, 0, -std::numeric_limits<double>::max()}, {0, 0, 0x1.5fed7667b74c5p+90}},
+                               enters(0x1.7470b47066a87p+933)}});
+}
+
 TEST_CASE_TEMPLATE("box: properties of every shape", T, RAIO_NUMBERS) { check_properties<box<T>>(); }
 
 TEST_CASE_TEMPLATE("box: as exact arithmetic", T, RAIO_NUMBERS) {
