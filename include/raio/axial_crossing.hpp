@@ -18,11 +18,13 @@ RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>
     using E = bound_t<W>;
     const slope_along<W> speed = speed_across(axis, d);
     W low = -above_base.value * speed.inverse, high = -above_top.value * speed.inverse;
-    E error = speed.error_of(max(abs(E(low)), abs(E(high))), max(above_base.error, above_top.error));
+    E low_error = speed.error_of(E(low), above_base.error), high_error = speed.error_of(E(high), above_top.error);
     const mask_t<W> yes = W(0) == W(0), upward = !(speed.value < W(0));
     const index_t<W> base_face(1), top_face(2);
-    chord<W> c{{yes, speed.certain, min(low, high), error, yes, select(upward, base_face, top_face)},
-               {yes, speed.certain, max(low, high), error, !yes, select(upward, top_face, base_face)}};
+    // Each plane has an error of its own: at a tip that lies in one, it is all but none.
+    E near_error = select(upward, low_error, high_error), far_error = select(upward, high_error, low_error);
+    chord<W> c{{yes, speed.certain, min(low, high), near_error, yes, select(upward, base_face, top_face)},
+               {yes, speed.certain, max(low, high), far_error, !yes, select(upward, top_face, base_face)}};
     const mask_t<W> parallel = !speed.exists;
     if (any(parallel)) {
         const mask_t<W> between =

@@ -65,6 +65,14 @@ TEST_CASE_TEMPLATE("frustum: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("frustum: past the tip, from all but there (the other cap's error made a hit of it)") {
+    check_cases<frustum<float>>(
+        {{"1e-29 sizes off",
+          {{0, 0, 0}, {0x1.7ef016p-12f, -0x1.7da6a2p-11f, -0x1.63d8e6p-11f}, 0, 0x1.04c4b6p-10f},
+          {{-0x1.04ff48p-109f, 0x1.d9265cp-110f, 0x1.dcef32p-110f}, {-0x1.cb0ca2p-3f, -0x1.bc57cep-1f, 0x1.c6046cp-2f}},
+          misses}});
+}
+
 TEST_CASE_TEMPLATE("frustum: properties of every shape", T, RAIO_NUMBERS) { check_properties<frustum<T>>(); }
 
 TEST_CASE_TEMPLATE("frustum: as exact arithmetic", T, RAIO_NUMBERS) {
