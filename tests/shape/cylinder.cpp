@@ -55,6 +55,14 @@ TEST_CASE_TEMPLATE("cylinder: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("cylinder: outwards from all but its rim (hit what it had left)") {
+    check_cases<cylinder<double>>(
+        {{"1e-26 off",
+          {{-2, 3, 2}, {-2, 2, 1}, 2},
+          {{0x1.c000800000002p-86, 3, 2}, {0x1.878e293c52a9ap-2, -0x1.93b2ee55792b9p-1, 0x1.ed5312c9c6084p-2}},
+          misses}});
+}
+
 TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, RAIO_NUMBERS) { check_properties<cylinder<T>>(); }
 
 TEST_CASE_TEMPLATE("cylinder: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -67,10 +67,10 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     E error = two * (b_error + s_error + farthest * a_error) * E(over_a) + E(8 * u) * farthest;
     if constexpr (std::same_as<W, double_double>) {
         // All that a tangent, or a line that is all but parallel, may be off by would make a tie of what is none. This
-        // is what others are off by: where the angle between the lines is above 2 degrees (the sine's square above
-        // 2^-10) and the chord above a 32nd of the diameter.
+        // is the most that others are off by: where the angle between the lines is above 2 degrees (the sine's square
+        // above 2^-10) and the chord above a 32nd of the diameter.
         crossed = every(crossed, s2 > W(0x1p-10) * ar2, a > W(0x1p-10) * d2 * axis2);
-        error = E(0x1p21 * u) * quotient(l_size + E(r), d_size, E(0));
+        error = min(E(0x1p21 * u) * quotient(l_size + E(r), d_size, E(0)), error);
     }
     const mask_t<W> certain = some(apart, crossed);
     error = select(parallel, E(0), with_underflow<W>(error));
