@@ -226,6 +226,20 @@ std::vector<bilinear_patch<T>> crooked_cube(random_numbers& random) {
     return faces;
 }
 
+TEST_CASE("bilinear_patch: a normal that had to be mirrored is unit") {
+    const probe<bilinear_patch<double>> p{
+        {{-0x1.b757d312ef8aep-18, -0x1.803eb71b1f6d3p-17, 0x1.e09343ccbd448p-17},
+         {0x1.dfec746cf6e87p-17, 0x1.a7ccd6153dd3dp-17, 0x1.0425954bb93ep-18},
+         {0x1.1c61bbfe6252ap-16, -std::numeric_limits<double>::max(), 0x1.f003310c78499p-20},
+         {0x1.380aa3be8812bp-16, 0x1.508fd12c17441p-18, 0x1.7c9d078380a14p-19}},
+        {{0x1.7843a73f15f06p-13, -0x1.d03caf733c0bp-14, -0x1.53d5bff1f045ap-11},
+         {-0x1.19bc4d1f22cddp-34, 0x1.0578d715a0818p-35, 0x1.e7e16277ddf25p-33}}};
+    hit_record<double> rec;
+    REQUIRE(p.hit(rec));
+    const vec3<oracle> normal = converted<oracle>(rec.normal);
+    CHECK(abs(dot(normal, normal) - 1) <= 4 * oracle(std::numeric_limits<double>::epsilon()));
+}
+
 TEST_CASE_TEMPLATE("bilinear_patch: no ray leaves a closed surface unseen", T, RAIO_NUMBERS) {
     random_numbers random(13);
     int leaks = 0;

@@ -71,11 +71,11 @@ struct bilinear_patch {
             if (norm1(outward) == Q(0)) outward = direction;
             outward = outward * (copysign(Q(1), dot(outward, direction)) * Q(at.entering ? -1 : 1));
         }
-        vec3<Q> facing = normalize_from<T>(outward) * Q(at.entering ? 1 : -1);
+        vec3<Q> facing = outward * Q(at.entering ? 1 : -1);
         // Where rounding has turned it along the ray, it is mirrored.
         facing -= direction * (Q(2) * max(Q(0), dot(facing, direction)));
         record_point_between(corners(), ray, at, rec, T(size));
-        rec.normal = vec3<N>(facing);
+        rec.normal = vec3<N>(normalize_from<T>(facing));
         rec.uv = {max(T(0), min(T(1), T(at.u))), max(T(0), min(T(1), T(at.v)))};
     }
 
