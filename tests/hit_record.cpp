@@ -25,6 +25,11 @@ TEST_CASE_TEMPLATE("spawn_ray: starts on the side that the direction goes to, mo
     CHECK(spawn_ray(rec, down).origin.y < rec.point.y - rec.error.y);
     CHECK(spawn_ray(rec, up).origin.x == rec.point.x);  // a wall beside it comes no nearer
     CHECK(spawn_ray(rec, up).origin.z == rec.point.z);
+
+    // Tangent to a torus from below: aside by an ulp of x is outside of it.
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    const hit_record<T> below{.point = {-2, 0, 3}, .normal = {-eps, -1, eps}, .error = {eps, eps * eps, eps}};
+    CHECK(spawn_ray(below, up).origin == vec3<T>(-2, spawn_ray(below, up).origin.y, 3));
 }
 
 TEST_CASE_TEMPLATE("spawn_ray: moves by the size of the error, no matter where or how large", T, RAIO_NUMBERS) {

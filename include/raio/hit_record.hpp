@@ -42,7 +42,11 @@ RAIO_FN constexpr ray<T> spawn_ray(const hit_record<T>& rec, const vec3<T>& dire
     const T side = copysign(T(1), dot(rec.normal, direction));
     vec3<T> n = rec.normal * side;
     const T distance = dot(abs(n), rec.error);
-    const auto moved = [&](T p, T n_i) { return select(n_i == T(0), p, outward(p + n_i * distance, n_i)); };
+    // A coordinate along which the normal has all but no part stays: moved to the next number, it would take the origin
+    // further along a curved surface than the error off it.
+    const auto moved = [&](T p, T n_i) {
+        return select(n_i * n_i < T(unit_roundoff<T> / 4), p, outward(p + n_i * distance, n_i));
+    };
     return {{moved(rec.point.x, n.x), moved(rec.point.y, n.y), moved(rec.point.z, n.z)}, direction};
 }
 
