@@ -79,8 +79,13 @@ struct hyperboloid_subject : revolved_subject<Hyperboloid, hyperboloid_profile> 
         const vec3<oracle> more = (s.top - s.base) * oracle(1e-40);
         s.base -= more;
         s.top += more;
-        s.end_radius *= 1 + oracle(1e-40);
-        if constexpr (!requires { s.gap; }) s.waist_radius *= 1 + oracle(1e-40);
+        // At the old planes, too, both are to be wider, though they have been drawn out.
+        if constexpr (requires { s.gap; }) {
+            s.end_radius *= 1 + oracle(4e-40) / (1 - s.gap * s.gap);
+        } else {
+            s.end_radius *= 1 + oracle(4e-40);
+            s.waist_radius *= 1 + oracle(4e-40);
+        }
         return s;
     }
     static oracle distance(const auto& s, const vec3<oracle>& p) {

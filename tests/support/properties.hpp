@@ -104,7 +104,9 @@ std::string direction_not_scaled(const probe<Shape>& p) {
         if (!in_range) continue;
         if (scaled_hit != hit) return "hit depends on the length of direction";
         if (hit && (scaled_rec.t != t || rec.t != t_back)) return "t = " + literal(scaled_rec.t) + " for " + literal(t);
-        if (hit && scaled_rec.normal != rec.normal) return "normal depends on the length of direction";
+        // A t of 0 may be one below the range, and then the exact one has another point.
+        const T apart = hit ? norm1(scaled_rec.normal - rec.normal) : T(0);
+        if (apart > (t == 0 ? T(4 * unit_roundoff<T>) : T(0))) return "normal depends on the length of direction";
     }
     return "";
 }
@@ -188,7 +190,8 @@ template <class Shape>
 bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec) {
     const auto exact_shape = converted<oracle>(shape);
     const vec3<oracle> inwards = converted<oracle>(rec.normal) * oracle(rec.front_face ? -1 : 1);
-    const oracle depth = 4 * oracle(norm1(rec.error));
+    // A face that is hit has no error across it, but a spawned ray leaves it by two numbers.
+    const oracle depth = 4 * oracle(norm1(rec.error)) + 8 * unit_roundoff<number_t<Shape>> * oracle(norm1(rec.point));
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     const oracle distance = about::distance(exact_shape, converted<oracle>(rec.point) + inwards * depth);
     return (solid<Shape> ? oracle(-distance) : distance) > depth * 0.7;
