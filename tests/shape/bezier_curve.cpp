@@ -1,6 +1,7 @@
 #include <raio/shape/bezier_curve.hpp>
 
 #include "support/cases.hpp"
+#include "support/packs.hpp"
 
 namespace raio::test {
 
@@ -211,6 +212,10 @@ TEST_CASE_TEMPLATE("bezier_curve: uv", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic, half a million times" * doctest::test_suite("nightly"), T,
                    RAIO_NUMBERS) {
     check_accuracy<bezier_curve<T>>(nightly_run / 20, 4e-3);
+}
+
+TEST_CASE_TEMPLATE("bezier_curve: packs, lane by lane", T, RAIO_NUMBERS) {
+    check_lanes_are_plain<bezier_curve<T>>(400);
 }
 
 }  // namespace raio::test

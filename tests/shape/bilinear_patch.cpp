@@ -1,6 +1,7 @@
 #include <raio/shape/bilinear_patch.hpp>
 
 #include "support/cases.hpp"
+#include "support/packs.hpp"
 
 namespace raio::test {
 
@@ -260,6 +261,10 @@ TEST_CASE_TEMPLATE("bilinear_patch: no ray leaves a closed surface unseen", T, R
 TEST_CASE_TEMPLATE("bilinear_patch: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
                    RAIO_NUMBERS) {
     check_accuracy<bilinear_patch<T>>(nightly_run);
+}
+
+TEST_CASE_TEMPLATE("bilinear_patch: packs, lane by lane", T, RAIO_NUMBERS) {
+    check_lanes_are_plain<bilinear_patch<T>>(400);
 }
 
 }  // namespace raio::test

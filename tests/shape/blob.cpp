@@ -1,5 +1,6 @@
 #include "support/blobs.hpp"
 #include "support/cases.hpp"
+#include "support/packs.hpp"
 
 namespace raio::test {
 
@@ -141,5 +142,7 @@ TEST_CASE_TEMPLATE("blob: uv and normal", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("blob: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<blob<T>>(nightly_run);
 }
+
+TEST_CASE_TEMPLATE("blob: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<blob<T>>(400); }
 
 }  // namespace raio::test

@@ -3,6 +3,7 @@
 #include "support/algebraics.hpp"
 #include "support/cases.hpp"
 #include "support/dual.hpp"
+#include "support/packs.hpp"
 
 namespace raio::test {
 
@@ -161,5 +162,7 @@ TEST_CASE_TEMPLATE("quadric: as exact arithmetic, ten million times" * doctest::
     check_accuracy<quadric<T>>(nightly_run);
     check_accuracy<open_quadric<T>>(nightly_run, 1.0 / 200);
 }
+
+TEST_CASE_TEMPLATE("quadric: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<quadric<T>>(400); }
 
 }  // namespace raio::test

@@ -2,6 +2,7 @@
 
 #include "support/algebraics.hpp"
 #include "support/cases.hpp"
+#include "support/packs.hpp"
 
 namespace raio::test {
 
@@ -118,5 +119,7 @@ TEST_CASE_TEMPLATE("steiner: as exact arithmetic, ten million times" * doctest::
                    RAIO_NUMBERS) {
     check_accuracy<steiner<T>>(nightly_run, 1.0 / 50);
 }
+
+TEST_CASE_TEMPLATE("steiner: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<steiner<T>>(400); }
 
 }  // namespace raio::test

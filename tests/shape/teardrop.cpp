@@ -2,6 +2,7 @@
 
 #include "support/algebraics.hpp"
 #include "support/cases.hpp"
+#include "support/packs.hpp"
 
 namespace raio::test {
 
@@ -118,5 +119,7 @@ TEST_CASE_TEMPLATE("teardrop: as exact arithmetic, ten million times" * doctest:
                    RAIO_NUMBERS) {
     check_accuracy<teardrop<T>>(nightly_run, 1.0 / 40);
 }
+
+TEST_CASE_TEMPLATE("teardrop: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<teardrop<T>>(400); }
 
 }  // namespace raio::test

@@ -2,6 +2,7 @@
 
 #include "support/cases.hpp"
 #include "support/dual.hpp"
+#include "support/packs.hpp"
 #include "support/sampling.hpp"
 
 namespace raio::test {
@@ -205,5 +206,7 @@ TEST_CASE("torus: the derivatives of t, by a number that carries them along") {
 TEST_CASE_TEMPLATE("torus: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
     check_accuracy<torus<T>>(nightly_run);
 }
+
+TEST_CASE_TEMPLATE("torus: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<torus<T>>(400); }
 
 }  // namespace raio::test

@@ -162,6 +162,35 @@ void check_lanes_of_hits(int rays) {
     CHECK(settled_hits > rays / 20);
 }
 
+/// Where packs go lane by lane, each lane answers what the plain shape answers, and a miss leaves its record alone.
+template <class Shape>
+void check_lanes_are_plain(int rays) {
+    using S = number_t<Shape>;
+    using P = pack<S, 4>;
+    random_numbers random(20261122);
+    int hits = 0;
+    for (int i = 0; i < rays; i += int(P::lanes)) {
+        const auto probes = probes_side_by_side<Shape, P::lanes>(random, random_probe<Shape>);
+        const packed_probe<Shape, P> packed(probes);
+        hit_record<P> rec{P(7), vec3<P>(7), vec3<P>(7), vec2<P>(7), vec3<P>(7), 7, true};
+        const auto hit = packed.shape.hit(packed.ray, packed.t_min, packed.t_max, rec);
+        const auto occluded = packed.shape.occluded(packed.ray, packed.t_min, packed.t_max);
+        for (std::size_t lane = 0; lane < P::lanes; ++lane) {
+            hit_record<S> expected{S(7), vec3<S>(7), vec3<S>(7), vec2<S>(7), vec3<S>(7), 7, true};
+            const bool expected_hit = probes[lane].hit(expected);
+            if (expected_hit) expected.index = 0;
+            INFO(literal(probes[lane]));
+            REQUIRE(hit[lane] == expected_hit);
+            REQUIRE(occluded[lane] == expected_hit);
+            hit_record<S> found = lane_of(rec, lane);
+            found.index = expected.index;  // which `lane_of` leaves out
+            REQUIRE(same_record(found, expected));
+            hits += expected_hit;
+        }
+    }
+    CHECK(hits > rays / 20);
+}
+
 /// The shape about one unit large and up to so far away, a ray from up to thirty units farther on that meets it about
 /// half the time: what most rays of a scene are like.
 template <class Shape>

@@ -3,33 +3,21 @@
 #include <cstring>
 
 #include <raio/concepts.hpp>
+#include <raio/lanes.hpp>
 #include <raio/math/simd.hpp>
 
 /// \file
-/// N shapes in one shape of packs. A shape is an aggregate of numbers, and so is the shape of packs: where the one has
-/// its k-th number, the other has its k-th pack. So a shape goes into a lane, and comes out again, number by number,
-/// and nothing needs to be known of its fields.
+/// N shapes in one shape of packs, which stand in the leaves of a tree.
 
 namespace raio::detail {
-
-/// The same shape, made of another number type.
-template <class Shape, class U>
-struct rebind;
-template <template <real> class Shape, real T, class U>
-struct rebind<Shape<T>, U> {
-    using type = Shape<U>;
-};
-template <class Shape, class U>
-using rebind_t = typename rebind<Shape, U>::type;
 
 /// What a shape says of its crossings: one, or a chord.
 template <class Found, class W>
 concept crossings_of = std::same_as<Found, crossing<W>> || std::same_as<Found, chord<W>>;
 
-template <class Shape, class W, class T = number_t<Shape>>
-concept gatherable_as = std::is_trivially_copyable_v<Shape> && sizeof(Shape) % sizeof(T) == 0 &&
-                        sizeof(rebind_t<Shape, W>) == sizeof(Shape) / sizeof(T) * sizeof(W) &&
-                        requires(const rebind_t<Shape, W> packed, const ray<W> ray) {
+template <class Shape, class W>
+concept gatherable_as = aggregate_of_packs<rebind_t<Shape, W>, W> &&
+    requires(const rebind_t<Shape, W> packed, const ray<W> ray) {
     { packed.template crossings<W>(ray) } -> crossings_of<W>;
 };
 
@@ -58,14 +46,7 @@ public:
         }
     }
 
-    Shape get(std::size_t lane) const {
-        // Put together in place, number by number: as a whole it would have to wait for the numbers to reach memory.
-        Shape shape;
-        for (std::size_t k = 0; k < numbers; ++k) {
-            std::memcpy(reinterpret_cast<std::byte*>(&shape) + k * sizeof(T), bytes_ + offset(k, lane), sizeof(T));
-        }
-        return shape;
-    }
+    Shape get(std::size_t lane) const { return in_lane<pack<T, N>>(shapes(), lane); }
 
     const packed& shapes() const { return *reinterpret_cast<const packed*>(bytes_); }
 

@@ -34,6 +34,9 @@ template <real T, std::size_t Most = 8>
 struct blob {
     using number = T;
 
+    /// Four roots of each polynomial, and one polynomial less than there are ends.
+    static constexpr std::size_t most_crossings = 24 * Most;
+
     std::array<metaball<T>, Most> components{};
     T threshold;  ///< missed unless it is positive
 
@@ -70,7 +73,7 @@ struct blob {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr auto crossings(const ray<R>& ray) const {
+    RAIO_FN constexpr crossing_list<W, most_crossings> crossings(const ray<R>& ray) const {
         crossing_list<W, most_crossings> list;
         const aabb<T> box = bounds();
         if (!is_sound() || !(box.min.x < box.max.x)) return list;
@@ -130,9 +133,6 @@ struct blob {
     }
 
 private:
-    /// Four roots of each polynomial, and one polynomial less than there are ends.
-    static constexpr std::size_t most_crossings = 24 * Most;
-
     /// What one component, or a part of it, adds to the field, between the ends of its ball.
     template <class W>
     struct piece {
