@@ -71,7 +71,11 @@ TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many 
     CHECK(area({{{1, 0, 0}, 0}, {{0, 1, 0}, 0}}) == infinity<T>);     // a wedge
     CHECK(
         area({{{1, 0, 0}, -1}, {{-1, 0, 0}, -1}, {{0, 0, 1}, 0}, {{0, 0, -1}, 0}, {{0, 1, 0}, -1}, {{0, -1, 0}, -1}}) ==
-        T(8));  // a square, both sides
+        T(8));                                                                        // a square, both sides
+    CHECK(area({{{-1, 0, 0}, 0}, {{0, -1, 0}, 0}, {{0, 0, -1}, 0}}) == infinity<T>);  // a corner without end
+    for (const T x : {T(0.1), T(0.3), T(0.7), T(0.9)}) {  // the foot of a plane is rounded, to its outside as well
+        CHECK(area({{{x, T(0.2), T(-0.3)}, -x}}) == infinity<T>);
+    }
     CHECK(area({}) == T(0));
 }
 

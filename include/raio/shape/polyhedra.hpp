@@ -21,7 +21,7 @@ RAIO_FN constexpr half_space<T> half_space_through(const vec3<X>& a, const vec3<
                                                    const vec3<X>& inside) {
     const vec3<X> across = scaled_into_range<X>(cross(b - a, c - a));
     const X depth = dot(across, inside - a), size = length(across);
-    if (depth == X(0) || !(size > X(0) && is_finite(size))) return {vec3<T>(T(0)), T(1)};
+    if (depth == X(0) || !(size > X(0))) return {vec3<T>(T(0)), T(1)};
     const vec3<T> normal(across * (copysign(X(1), -depth) / size));
     const vec3<X> n(normal);
     return {normal, -T(max(max(dot(n, a), dot(n, b)), dot(n, c)))};
