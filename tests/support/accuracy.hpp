@@ -39,8 +39,11 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<numb
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     if constexpr (requires { about::grown(exact_shape); }) {
         std::vector larger = all_crossings<oracle>(about::grown(exact_shape), exact_ray);
-        const vec3<oracle> size = exact_shape.bounds().max - exact_shape.bounds().min;
-        const oracle shape_size = isfinite(norm1(size)) ? norm1(size) : oracle(0);
+        oracle shape_size = 0;
+        if constexpr (bounded<std::remove_cvref_t<decltype(exact_shape)>>) {
+            const oracle size = norm1(vec3<oracle>(exact_shape.bounds().max - exact_shape.bounds().min));
+            if (isfinite(size)) shape_size = size;
+        }
         for (crossing<oracle>& c : larger) {
             const oracle way = norm1(exact_ray.origin) + norm1(exact_ray.direction) * abs(c.t);
             c.error = (shape_size + way) * 1e-19 / length(exact_ray.direction);
