@@ -31,10 +31,10 @@ using rebind_t = typename rebind<Shape, U>::type;
 
 /// Is it made of packs P where the same shape, made of plain numbers, has those numbers?
 template <class Packed, class P>
-concept aggregate_of_packs = std::is_trivially_copyable_v<rebind_t<Packed, scalar_t<P>>> && sizeof(Packed) %
-                                     sizeof(P) ==
-                                 0 &&
-                             sizeof(rebind_t<Packed, scalar_t<P>>) == sizeof(Packed) / sizeof(P) * sizeof(scalar_t<P>);
+concept aggregate_of_packs = std::is_trivially_copyable_v<rebind_t<Packed, scalar_t<P>>> &&
+                             (sizeof(Packed) % sizeof(P) == 0) &&
+                             (sizeof(Packed) / sizeof(P) ==
+                              sizeof(rebind_t<Packed, scalar_t<P>>) / sizeof(scalar_t<P>));
 
 /// What is in one lane of a shape, or a ray, of packs P.
 template <class P, class Packed>

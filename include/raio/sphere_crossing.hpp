@@ -43,26 +43,29 @@ RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, cons
     if (none(exists)) return nowhere<W>(apart);
 
     // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
-    const mask_t<W> certain = some(apart, every(sound, s2 > s2_error, s2 > W(0x1p-10) * ar2));
+    const mask_t<W> certain = some(apart, every(sound, exists, s2 > s2_error, s2 > W(0x1p-10) * ar2));
     W s = sqrt(max(s2, W(0))), over_a = W(1) / a, c = dot(l, l) - radius * radius;
     E error = with_underflow<W>(E(0x1p9 * Roundings * u) * d_size * (l_size + E(radius)) * E(over_a));
     vec2<W> t = quadratic_roots(over_a, b, c, s);
-    chord<W> found{{exists, certain, t.x, error, exists}, {exists, certain, t.y, error, !exists}};
+    W near = t.x, far = t.y;
+    E near_error = error, far_error = error;
     if constexpr (!std::same_as<mask_t<W>, bool>) {
-        // Packs ask nobody else: they have to know on which side of the sphere a ray starts. Where that is near, |b| <
-        // 2 s, the crossing there is c / sum, of which the error is that of c over sum, and |c / sum| times the
-        // relative error of sum. That is error a / sum, below a 50th: twice both is a bound.
-        W sum = b + copysign(s, b), over_sum = quotient(W(1), sum, W(0)), size = abs(over_sum);
-        E c_error = with_underflow<W>(E(8 * Roundings * u) * (dot(l, l) + radius * radius));
-        E near_error = with_underflow<W>(E(2) * size * (c_error + abs(c) * (error * a * size)));
-        const mask_t<W> starts_near = every(abs(b) < s + s, is_finite(sum), near_error < error);
-        const auto improve = [&](crossing<W>& of, const mask_t<W>& is_near) {
-            of.t = select(is_near, c * over_sum, of.t), of.error = select(is_near, near_error, of.error);
-        };
-        improve(found.near, every(starts_near, sum > W(0)));
-        improve(found.far, every(starts_near, sum < W(0)));
+        // Packs ask nobody else: they have to know on which side of the sphere a ray starts.
+        const mask_t<W> at_origin = every(exists, some(abs(near) <= error, abs(far) <= error));
+        if (any(at_origin)) {
+            // Where that is near, |b| < 2 s, the crossing there is c / sum, of which the error is that of c over sum,
+            // and |c / sum| times the relative error of sum. That is error a / sum, below a 50th: twice both is a
+            // bound.
+            W sum = b + copysign(s, b), over_sum = quotient(W(1), sum, W(0)), size = abs(over_sum), at = c * over_sum;
+            E c_error = with_underflow<W>(E(8 * Roundings * u) * (dot(l, l) + radius * radius));
+            E at_error = with_underflow<W>(E(2) * size * (c_error + abs(c) * (error * a * size)));
+            const mask_t<W> starts_near = every(at_origin, abs(b) < s + s, is_finite(sum), at_error < error);
+            const mask_t<W> enters = every(starts_near, sum > W(0)), leaves = every(starts_near, sum < W(0));
+            near = select(enters, at, near), near_error = select(enters, at_error, near_error);
+            far = select(leaves, at, far), far_error = select(leaves, at_error, far_error);
+        }
     }
-    return found;
+    return {{exists, certain, near, near_error, exists}, {exists, certain, far, far_error, !exists}};
 }
 
 /// What is missing of a crossing: one step of Newton's method towards |p|^2 = radius^2, whose slope 2 p.d grows by 2
