@@ -137,9 +137,8 @@ private:
         std::array<std::uint32_t, lanes> ids;
 
         std::uint32_t used() const {
-            std::uint32_t used = 0;
-            for (unsigned i = 0; i < lanes; ++i) used |= (ids[i] != no_id ? 1u : 0u) << i;
-            return used;
+            using numbers = pack<std::uint32_t, lanes>;
+            return bits(numbers::load(ids.data()) != numbers(no_id));
         }
     };
 
