@@ -163,7 +163,7 @@ TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, RAIO_NUM
     random_numbers random(5);
     const torus<T> spindle{{0, 0, 0}, {3, 0, 1}, 1, 2};
     for (int i = 0; i < 1000; ++i) {
-        const T v = i < 100 ? T(1) - T(i + 1) * unit_roundoff<T> : T(random.uniform());  // to the very tip, too
+        const T v = i < 100 ? T(1) - T(i + 1) * T(unit_roundoff<T>) : T(random.uniform());  // to the very tip, too
         const surface_sample<T> s = spindle.sample({T(random.uniform()), v});
         const oracle distance = subject<torus<T>>::distance(converted<oracle>(spindle), converted<oracle>(s.point));
         REQUIRE(abs(distance) < 16 * std::numeric_limits<T>::epsilon());
