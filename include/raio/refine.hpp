@@ -44,6 +44,17 @@ RAIO_FN constexpr crossing<W> newton_step(const X& value, const bound_t<X>& valu
     return cross_zero(W(value), value_error + bound_t<X>(least_normal<X>), slope_of<W>(slope, slope_error));
 }
 
+/// The same, where one step has left nothing of t that the point or the normal could notice, and not certain elsewhere:
+/// near a tangent it may leave as much as decides their last bits.
+template <class X, class W>
+RAIO_FN constexpr crossing<W> if_to_all_digits(crossing<W> missing, const nearby_ray<X, W>& ray) {
+    using E = bound_t<X>;
+    E place = norm1(vec3<E>(ray.origin)) + norm1(vec3<E>(ray.step)),
+      off = norm1(vec3<E>(ray.direction)) * missing.error;
+    missing.certain = every(missing.certain, off <= E(0x1p-72) * place);
+    return missing;
+}
+
 /// The same crossing in the precision of X. The shape's `correction(nearby, c)` is that crossing as the ray from c.t on
 /// meets it, in the precision of W.
 template <class X, class Shape, real R, class W>

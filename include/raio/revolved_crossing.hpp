@@ -160,7 +160,7 @@ RAIO_FN constexpr bounded_number<W> value_near(const polynomial<W, N>& p, const 
 
 }  // namespace detail
 
-/// The crossings in order of x; uv.x is s. The base of the axis is where the part of the line is seen from.
+/// The crossings in order of x; u is s, and v how far that may be off. The base of the axis is where the part of the line is seen from.
 /// \param over_size  1 over the unit of length
 template <class W>
 RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>& curve, const line_part<W>& part,
@@ -226,7 +226,7 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
         E across_error = detail::over(m_error + half_error + farthest * (n2_error + n2_rounding), n2_least);
         const auto append = [&](const W& x, const E& error) {
             crossing<W> c = part.at({x, error, 0, 0, E(0)}, true);
-            c.u = s;
+            c.u = s, c.v = W(off);
             c.entering = dot(part.along, outward_normal(curve, s, part.from + part.along * x)) <= W(0);
             std::size_t i = list.count++;
             for (; i > 0 && c.t < list.crossings[i - 1].t; --i) list.crossings[i] = list.crossings[i - 1];

@@ -496,7 +496,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: across the axis, where roots a
 TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_NUMBERS) {
     random_numbers random(35);
     const int rays = normal_run / 25;
-    int hits = 0, undecided = 0;
+    int hits = 0, undecided = 0, refinements = 0, open = 0;
     for (int i = 0; i < rays; ++i) {
         const auto s = random_curved_surface<T>(random);
         const ray<T> r = random_ray(surface_of_revolution<T>{s.base, s.axis, s.profile}, random);
@@ -517,7 +517,18 @@ TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_
             const vec2<T>* p = &s.profile[k];
             const detail::revolved_curve<oracle> piece{
                 base, axis, vec2<oracle>(p[0]), vec2<oracle>(p[1]), vec2<oracle>(p[2]), vec2<oracle>(p[3])};
-            for (const crossing<oracle>& c : piece.crossings<oracle>(exact_ray)) {
+            const auto exact = piece.crossings<oracle>(exact_ray);
+            const detail::revolved_curve<T> own{s.base, s.axis, p[0], p[1], p[2], p[3]};
+            const auto quick = own.template crossings<strict_double>(r);
+            for (std::size_t n = 0; quick.certain && n < quick.count; ++n) {
+                REQUIRE(quick.count == exact.count);
+                const crossing<double_double> fine = refined<double_double>(own, r, quick.crossings[n]);
+                ++refinements;
+                if (!fine.certain || !detail::rounds_to_one<double>(fine)) ++open;
+                if (!fine.certain) continue;
+                REQUIRE(abs(exactly(fine.t) - exact.crossings[n].t) <= exactly(fine.error));
+            }
+            for (const crossing<oracle>& c : exact) {
                 const vec3<oracle> at = exact_ray.origin + exact_ray.direction * c.t - base;
                 const oracle size = length(axis), rho = length(cross(at, axis)) / size;
                 const vec2<oracle> on = on_profile(
@@ -545,6 +556,8 @@ TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_
         REQUIRE((rec.uv.x >= 0 && rec.uv.x <= 1 && rec.uv.y >= 0 && rec.uv.y <= 1));
     }
     CHECK(hits > rays / 4);
+    MESSAGE(refinements << " crossings refined, left open to the last bit of a double: " << open);
+    CHECK((refinements > rays && open < refinements * 0.6));
     const double expected = rays / 50.0;  // in a short run chance has its share
     CHECK(undecided < expected + 3 * std::sqrt(expected));
 }

@@ -17,4 +17,22 @@ RAIO_FN constexpr polynomial<W, 3> bezier_polynomial(const T& v0, const T& v1, c
             {E(0), error, error, error}};
 }
 
+/// Such a polynomial and its derivatives at u, and bounds of their magnitudes from 0 to `end`. Each is right to 20
+/// roundings of its bound.
+template <class W>
+struct cubic_near {
+    using E = bound_t<W>;
+
+    W value, slope, bend;
+    E most, fastest, most_bend, most_twist;
+
+    RAIO_FN constexpr cubic_near(const polynomial<W, 3>& p, const W& u, const E& end) {
+        const polynomial<W, 2> first = p.derivative();
+        const polynomial<W, 1> second = first.derivative();
+        value = p(u), slope = first(u), bend = second(u);
+        most = p.magnitude(end), fastest = first.magnitude(end), most_bend = second.magnitude(end);
+        most_twist = second.derivative().magnitude(end);
+    }
+};
+
 }  // namespace raio

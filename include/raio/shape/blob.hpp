@@ -66,7 +66,7 @@ struct blob {
     RAIO_FN constexpr W field(const vec3<W>& p) const {
         W sum(0);
         for (const metaball<T>& m : components) {
-            const W within = has_effect(m) ? depth(m, from_axis(m, p)) : W(0);
+            const W within = has_effect(m) ? depth(m, from_axis(m, vec3<W>(p - vec3<W>(m.center)))) : W(0);
             if (within > W(0)) sum += W(m.strength) * within * within;
         }
         return sum;
@@ -116,12 +116,45 @@ struct blob {
         return list;
     }
 
+    /// Each field is s q^2 with q = 1 - |b|^2 / r^2, and its slope -4 s q b.d / r^2, b from the centre or the axis to
+    /// the point. While q is positive that changes at a rate of at most 12 s |d|^2 / r^2, and else it is 0.
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        using E = bound_t<X>;
+        constexpr double u = unit_roundoff<X>;
+        const E speed = norm1(vec3<E>(ray.direction));
+        X value(threshold);
+        W slope(0);
+        E value_error = E(2 * u) * E(W(threshold)), slope_error(0);
+        for (const metaball<T>& m : components) {
+            if (!has_effect(m)) continue;
+            auto [p, p_error] = ray.seen_from(m.center);
+            const E strength = abs(E(W(m.strength))), over_r = E(1) / E(W(m.radius)), step = speed * c.error * over_r;
+            const vec3<W> nearly = from_axis(m, vec3<W>(p));
+            const E size = norm1(vec3<E>(nearly)) * over_r;
+            if (E(depth(m, nearly)) + (E(2) * size + step) * step + E(0x1p-30) * (E(1) + size * size) < E(0)) continue;
+
+            const vec3<X> beside = from_axis(m, p);
+            const X within = max(X(0), depth(m, beside));
+            // What b is seen from moves less than the point does, and 32 roundings of that go into it.
+            const E off = (E(2) * p_error + E(32 * u) * norm1(vec3<E>(p))) * over_r + E(8 * u) * size;
+            const E q(within), q_error = off * (E(2) * size + off) + E(8 * u);
+            value = value - X(m.strength) * within * within;
+            value_error += strength * (q_error * (E(2) * q + q_error) + E(8 * u) * q * q) + E(2 * u) * abs(E(value));
+            const W rate = W(m.strength) * W(within) * dot(vec3<W>(beside), ray.direction) * W(over_r * over_r);
+            slope += W(4) * rate;
+            slope_error += E(12) * strength * step * speed * over_r +
+                           E(64 * unit_roundoff<W>) * strength * (q + q_error) * size * speed * over_r;
+        }
+        return if_to_all_digits(newton_step(value, value_error, slope, slope_error), ray);
+    }
+
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t, outwards(W(0));
         for (const metaball<T>& m : components) {
             if (!has_effect(m)) continue;
-            const vec3<W> beside = from_axis(m, p);
+            const vec3<W> beside = from_axis(m, vec3<W>(p - vec3<W>(m.center)));
             const W within = depth(m, beside), r(m.radius);
             if (within > W(0)) outwards += beside * (W(m.strength) * within / (r * r));
         }
@@ -189,8 +222,9 @@ private:
 
     /// The point as seen from the nearest one of the centre or the axis.
     template <class W>
-    RAIO_FN static constexpr vec3<W> from_axis(const metaball<T>& m, const vec3<W>& p) {
-        vec3<W> axis(m.axis), from_center = p - vec3<W>(m.center);
+    RAIO_FN static constexpr vec3<W> from_axis(const metaball<T>& m, const vec3<W>& from_center) {
+        if (m.axis == vec3<T>(T(0))) return from_center;
+        vec3<W> axis(m.axis);
         W height = quotient(dot(from_center, axis), dot(axis, axis), W(0));
         return from_center - axis * max(W(0), min(W(1), height));
     }
@@ -198,7 +232,7 @@ private:
     /// 1 in the centre, 0 at the radius.
     template <class W>
     RAIO_FN static constexpr W depth(const metaball<T>& m, const vec3<W>& from_axis) {
-        const vec3<W> v = from_axis / W(m.radius);
+        const vec3<W> v = from_axis * (W(1) / W(m.radius));
         return W(1) - dot(v, v);
     }
 
