@@ -161,7 +161,8 @@ RAIO_FN constexpr bounded_number<W> value_near(const polynomial<W, N>& p, const 
 }  // namespace detail
 
 /// The crossings in order of x; u is s, and v how far that may be off. The base of the axis is where the part of the
-/// line is seen from. \param over_size  1 over the unit of length
+/// line is seen from.
+/// \param over_size  1 over the unit of length
 template <class W>
 RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>& curve, const line_part<W>& part,
                                                       const W& over_size) {
