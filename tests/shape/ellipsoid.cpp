@@ -40,6 +40,13 @@ TEST_CASE_TEMPLATE("ellipsoid: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("ellipsoid: from its end outwards (50 digits said that it starts 1e-46 sizes off)") {
+    check_cases<ellipsoid<float>>({{"of a sphere",
+                                    {{0, 0, 0}, {0x1.48bf52p+19f, 0x1.48bf52p+19f, 0x1.48bf52p+19f}},
+                                    {{0x1.48bf52p+19f, 0, 0}, {0x1.17b45ep-4f, 0x1.ee37bcp-1f, -0x1.023a66p-2f}},
+                                    leaves(0)}});
+}
+
 TEST_CASE_TEMPLATE("ellipsoid: properties of every shape", T, RAIO_NUMBERS) { check_properties<ellipsoid<T>>(); }
 
 TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -29,25 +29,28 @@ std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<number_t<Sh
 
 /// The crossings in 50 digits. Where a ray meets the very edge of a closed shape, 50 digits decide no better than any
 /// others: it is crossed, then, if it is as soon as it is larger by 1e-40. That moves a tangent's t by up to the root
-/// of it, which `error` says; all others have none.
+/// of it, which `error` says; of all others it is what 50 digits leave open, which matters where t is 0.
 template <class Shape>
 std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
     const auto exact_shape = converted<oracle>(shape);
     const auto exact_ray = converted<oracle>(ray);
     std::vector crossings = all_crossings<oracle>(exact_shape, exact_ray);
-    for (crossing<oracle>& c : crossings) c.error = 0;
+    oracle shape_size = 0;
+    if constexpr (bounded<std::remove_cvref_t<decltype(exact_shape)>>) {
+        const oracle size = norm1(vec3<oracle>(exact_shape.bounds().max - exact_shape.bounds().min));
+        if (isfinite(size)) shape_size = size;
+    }
+    const auto add_errors = [&](std::vector<crossing<oracle>>& found, double part) {
+        for (crossing<oracle>& c : found) {
+            const oracle way = norm1(exact_ray.origin) + norm1(exact_ray.direction) * abs(c.t);
+            c.error = (shape_size + way) * part / length(exact_ray.direction);
+        }
+    };
+    add_errors(crossings, 1e-46);
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     if constexpr (requires { about::grown(exact_shape); }) {
         std::vector larger = all_crossings<oracle>(about::grown(exact_shape), exact_ray);
-        oracle shape_size = 0;
-        if constexpr (bounded<std::remove_cvref_t<decltype(exact_shape)>>) {
-            const oracle size = norm1(vec3<oracle>(exact_shape.bounds().max - exact_shape.bounds().min));
-            if (isfinite(size)) shape_size = size;
-        }
-        for (crossing<oracle>& c : larger) {
-            const oracle way = norm1(exact_ray.origin) + norm1(exact_ray.direction) * abs(c.t);
-            c.error = (shape_size + way) * 1e-19 / length(exact_ray.direction);
-        }
+        add_errors(larger, 1e-19);
         if (larger.size() > crossings.size()) return larger;
         for (std::size_t i = 0; i < larger.size(); ++i) {
             if (!crossings[i].exists) crossings[i] = larger[i];
@@ -81,7 +84,8 @@ std::string inexactness(const probe<Shape>& p, double& worst_ulp) {
     const bool hit = p.hit(rec);
     const std::vector crossings = exact_crossings(p.shape, p.ray);
     const auto may_count = [&](const crossing<oracle>& c) {
-        return c.exists && (in_window(p, rounded<T>(c.t - c.error)) || in_window(p, rounded<T>(c.t + c.error)));
+        const T low = rounded<T>(c.t - c.error), high = rounded<T>(c.t + c.error);
+        return c.exists && low <= p.t_max && p.t_min <= high && std::isfinite(rounded<T>(c.t));
     };
     std::size_t i = 0;
     while (i < crossings.size() && !may_count(crossings[i])) ++i;
