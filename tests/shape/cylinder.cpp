@@ -135,7 +135,7 @@ TEST_CASE_TEMPLATE("cylinder: the bound of t on its own, from above as well, whe
         ++seen;
     }
     // What double_double states of an operation is no bound that is ever met.
-    CHECK((seen > 2'000 && of_t.largest > (std::same_as<W, strict_double> ? 0.03 : 5e-4)));
+    CHECK((seen > 2'000 && of_t.largest > (std::same_as<W, strict_double> ? 0.01 : 2e-4)));
 }
 
 TEST_CASE_TEMPLATE("cylinder: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
