@@ -34,7 +34,7 @@ std::pair<vec3<X>, vec3<X>> in_two_parts(const vec3<oracle>& v) {
 TEST_CASE("quadric_crossing: the bounds of t and of what is missing, from above as well") {
     part_of_bound of_t, of_missing, of_level, of_place;
     int seen = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (std::uint64_t i = 0; i < 20'000; ++i) {
         // The same numbers in each precision.
         random_numbers random(i), again(i), exactly_so(i);
         const auto quadric = some_quadric<W>(random);
