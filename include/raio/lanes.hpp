@@ -29,12 +29,11 @@ struct rebind<Shape<T, Options...>, U> {
 template <class Shape, class U>
 using rebind_t = typename rebind<Shape, U>::type;
 
-/// Is it made of packs P where the same shape, made of plain numbers, has those numbers?
+/// Is it made of packs P where the same shape, made of plain numbers, has those numbers, and of nothing else?
 template <class Packed, class P>
 concept aggregate_of_packs = std::is_trivially_copyable_v<rebind_t<Packed, scalar_t<P>>> &&
                              (sizeof(Packed) % sizeof(P) == 0) &&
-                             (sizeof(Packed) / sizeof(P) ==
-                              sizeof(rebind_t<Packed, scalar_t<P>>) / sizeof(scalar_t<P>));
+                             (sizeof(rebind_t<Packed, scalar_t<P>>) == sizeof(Packed) / P::lanes);
 
 /// What is in one lane of a shape, or a ray, of packs P.
 template <class P, class Packed>
