@@ -77,6 +77,13 @@ TEST_CASE_TEMPLATE("csg: named cases", T, RAIO_NUMBERS) {
                {true, 8, true, 0, -1});
     check_case("faces in one plane: the left is recorded", union_of(cube, box<T>{{-2, -1, -1}, {0, 1, 1}}), along,
                {true, 7, true, 0, -1});
+    const box<T> beam{{-2, -1, -1}, {2, 1, 1}};
+    check_case("faces in one plane: out of the left", union_of(cube, beam), along, {true, 11, false, 0, -1}, 8);
+    check_case("common to faces in one plane: the left", intersection_of(cube, beam), along, {true, 7, true, 0, -1});
+    check_case("common to faces in one plane: out of the left", intersection_of(cube, beam), along,
+               {true, 11, false, 0, -1}, 8);
+    check_case("up to a face: out of the left", difference_of(cube, box<T>{{2, -1, -1}, {3, 1, 1}}), along,
+               {true, 11, false, 0, -1}, 8);
     check_case("cut along a face: nothing thin is left", difference_of(box<T>{{0, -1, -1}, {2, 1, 1}}, cube), along,
                {false});
     check_case("tangent to the left", union_of(ball, bite), {{0, 1, 5}, {0, 0, -1}}, {true, 5, true, 0, 0});

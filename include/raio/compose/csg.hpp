@@ -29,7 +29,6 @@ struct leaf_end {
     index_t<T> leaf;
 
     RAIO_FN constexpr leaf_end operator-() const { return {-t, leaf}; }
-    RAIO_FN friend constexpr bool operator==(const leaf_end& a, const leaf_end& b) { return a.t == b.t; }
     RAIO_FN friend constexpr bool operator<(const leaf_end& a, const leaf_end& b) { return a.t < b.t; }
     RAIO_FN friend constexpr bool operator<=(const leaf_end& a, const leaf_end& b) { return a.t <= b.t; }
     RAIO_FN friend constexpr bool operator>(const leaf_end& a, const leaf_end& b) { return a.t > b.t; }
