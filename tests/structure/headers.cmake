@@ -75,8 +75,7 @@ foreach(header IN LISTS headers)
 
     # Who goes with it.
     set(companions "")
-    # What a tree is made of is tested through the tree, which bench/bvh measures scene by scene.
-    if(header MATCHES "^(math|shape|compose)/|^bvh/bvh\\.hpp$")
+    if(header MATCHES "^(math|shape|compose|bvh)/")
         list(APPEND companions tests)
     endif()
     if(header MATCHES "^(shape|compose)/")
