@@ -46,23 +46,38 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
     return {c, size, u, v, det_error, u_error, v_error};
 }
 
-/// What is missing of a crossing: t, u and v are that of the small vector between the two points that it names, of the
-/// ray and of the edges.
+/// What is missing of a crossing: t, u and v are that of the small vector `apart` from the point of the surface that it
+/// names to that of the ray.
+/// \param e1, e2  the edges of the surface there
+template <class W>
+RAIO_FN constexpr edge_crossing<W> cross_apart(const vec3<W>& apart, const vec3<W>& e1, const vec3<W>& e2,
+                                               const vec3<W>& direction) {
+    vec3<W> zero(W(0));
+    return cross_edges(zero, e1, e2, ray<W>{apart, direction});
+}
+
+/// How much more t is off if `apart` is off by this much: t is apart.(e1 x e2) / det. Products too small for their
+/// digits are taken care of.
+template <class W>
+RAIO_FN constexpr bound_t<W> error_of_apart(const bound_t<W>& error, const edge_crossing<W>& missing, const vec3<W>& e1,
+                                            const vec3<W>& e2) {
+    using E = bound_t<W>;
+    E length2 = norm1(vec3<E>(e2));
+    E lost = error * norm1(vec3<E>(e1)) * length2 + E(least_normal<W>) * (E(1) + length2);
+    return E(2) * quotient(lost, E(missing.size), E(0));
+}
+
+/// What is missing of a crossing with a flat shape.
 template <class X, class W, real T>
 RAIO_FN constexpr crossing<W> correct_edges(const vec3<T>& corner, const vec3<X>& e1, const vec3<X>& e2,
                                             const nearby_ray<X, W>& ray, const crossing<W>& c) {
     using E = bound_t<X>;
     auto [p, p_error] = ray.seen_from(corner);
     vec3<X> along1 = e1 * X(c.u), along2 = e2 * X(c.v), apart = p - (along1 + along2);
-    raio::ray<W> rest{vec3<W>(apart), ray.direction};
-    vec3<W> zero(W(0)), edge1(e1), edge2(e2);
-    edge_crossing<W> missing = cross_edges(zero, edge1, edge2, rest);
-
-    // t is apart.(e1 x e2) / det: so much more for the error of `apart`, and for products too small for their digits.
+    vec3<W> edge1(e1), edge2(e2);
+    edge_crossing<W> missing = cross_apart(vec3<W>(apart), edge1, edge2, ray.direction);
     E lengths = norm1(vec3<E>(p)) + norm1(vec3<E>(along1)) + norm1(vec3<E>(along2));
-    E error = p_error + E(8 * unit_roundoff<X>) * lengths, length2 = norm1(vec3<E>(edge2));
-    E lost = error * norm1(vec3<E>(edge1)) * length2 + E(least_normal<W>) * (E(1) + length2);
-    missing.at.error += E(2) * quotient(lost, E(missing.size), E(0));
+    missing.at.error += error_of_apart(p_error + E(8 * unit_roundoff<X>) * lengths, missing, edge1, edge2);
     return missing.at;
 }
 

@@ -171,7 +171,8 @@ TEST_CASE_TEMPLATE("bilinear_patch: properties of every shape", T, RAIO_NUMBERS)
 TEST_CASE_TEMPLATE("bilinear_patch: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<bilinear_patch<T>>();
     check_accuracy<bilinear_patch<T>>(normal_run);
-    check_bounds_of_errors<bilinear_patch<T>>(normal_run / 5);
+    // One in eight has an edge without length, of which none is refined.
+    check_bounds_of_errors<bilinear_patch<T>>(normal_run / 5, 0.45);
 }
 
 TEST_CASE_TEMPLATE("bilinear_patch: uv", T, RAIO_NUMBERS) {

@@ -44,19 +44,50 @@ struct bilinear_patch {
 
     template <class W, real R>
     RAIO_FN constexpr crossing_list<W, 2> crossings(const ray<R>& ray) const {
-        const std::array<vec3<T>, 4> around{p00, p10, p11, p01};
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (around[i] == around[(i + 1) % 4]) {
-                return cross_triangle<W>(triangle<T>{around[i], around[(i + 2) % 4], around[(i + 3) % 4]}, i, ray);
-            }
+        const std::size_t i = edge_without_length();
+        if (i == 4) return cross_moving_line<W>(ray);
+        const std::array<vec3<T>, 4> around = corners_in_order();
+        return cross_triangle<W>(triangle<T>{around[i], around[(i + 2) % 4], around[(i + 3) % 4]}, i, ray);
+    }
+
+    /// Where u and v are off by du and dv, the point of the patch is off by du dv D more than its edges there say. The
+    /// error of t covers the whole of (|A| + |D|) |du| (see cross_moving_line), and what then is left of the distance
+    /// of both points is dv's. What is found with these bounds tells much better ones.
+    template <class X, class W>
+    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
+        using E = bound_t<X>;
+        if (edge_without_length() < 4) return {};
+        const auto [edge_u, edge_v, far] = edges<X>();
+        const auto [p, p_error] = ray.seen_from(p00);
+        vec3<X> twist = far - edge_v, along_v = edge_v + product_as<X>(twist, c.u);
+        vec3<X> apart = p - (product_as<X>(edge_u, c.u) + product_as<X>(along_v, c.v));
+        vec3<W> at_u(edge_u + product_as<X>(twist, c.v)), at_v(along_v);
+        edge_crossing<W> missing = cross_apart(vec3<W>(apart), at_u, at_v, ray.direction);
+        crossing<W> at = missing.at;
+
+        const auto size = [](const auto& v) { return norm1(vec3<E>(v)); };
+        E reach = size(edge_u) + size(edge_v) + size(far), speed = size(ray.direction), bend = size(twist);
+        E error = p_error + E(32 * unit_roundoff<X>) * (size(p) + reach), u_size = size(at_u), v_size = size(at_v);
+        E off = E(2) * speed * c.error, du = off / (size(edge_u) + bend), least_v = v_size - bend * du;
+        E dv = E(2) * (size(apart) + error + off + u_size * du) / least_v;
+        // How far the point that u and v name may be off, and so u and v by no more than that over an edge.
+        E of_det = E(2) * quotient(missing.size_error, E(missing.size), E(0));
+        E of_u_v = of_det * (u_size * abs(at.u) + v_size * abs(at.v)), rest(0);
+        for (int i = 0; i < 2; ++i) {
+            at.error = missing.at.error + error_of_apart(error + bend * du * dv, missing, at_u, at_v);
+            rest = of_u_v + speed * at.error;
+            du = E(2) * abs(at.u) + rest / u_size, dv = E(2) * abs(at.v) + rest / v_size;
         }
-        return cross_moving_line<W>(ray);
+        // Near a tangent that may be as much as decides the normal's last bits.
+        at.certain = every(at.certain, least_v > E(0), rest <= E(0x1p-72) * min(u_size, v_size));
+        return at;
     }
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
-        const auto [edge_u, edge_v, twist, reach] = edges<W>();
+        const auto [edge_u, edge_v, far] = edges<W>();
+        vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);
         W quarter(0.25), size = norm1(edge_u * quarter) + norm1(reach * quarter), scale = quarter / size;
         vec3<Q> a(edge_u * scale), w(edge_v * scale), turn(twist * scale),
             aw = cross(a, w), at_u = cross(a, turn), at_v = cross(turn, w),
@@ -80,6 +111,16 @@ struct bilinear_patch {
     }
 
 private:
+    RAIO_FN constexpr std::array<vec3<T>, 4> corners_in_order() const { return {p00, p10, p11, p01}; }
+
+    /// Which of the edges from each of these corners to the next it is, the first that there is; 4 if there is none.
+    RAIO_FN constexpr std::size_t edge_without_length() const {
+        const std::array<vec3<T>, 4> around = corners_in_order();
+        std::size_t i = 0;
+        while (i < 4 && around[i] != around[(i + 1) % 4]) ++i;
+        return i;
+    }
+
     /// A patch with an edge of no length, which is corner a of the triangle: the edge v = 0 if `turns` is 0, and so on
     /// around the patch.
     template <class W, real R>
@@ -101,7 +142,8 @@ private:
     RAIO_FN constexpr crossing_list<W, 2> cross_moving_line(const ray<R>& ray) const {
         using E = bound_t<W>;
         crossing_list<W, 2> list;
-        const auto [edge_u, edge_v, twist, reach] = edges<W>();
+        const auto [edge_u, edge_v, far] = edges<W>();
+        vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);
         vec3<W> d(ray.direction), origin(ray.origin), corner = vec3<W>(p00) - origin;
 
         // The vectors are off by two roundings at most, D by as many of its terms, and each sum of triple products by
@@ -166,15 +208,14 @@ private:
         return list;
     }
 
-    /// A, w and D, and the sum of the magnitudes that D is made of.
+    /// A, w and w + D. The magnitudes of the two that D is the difference of bound what its roundings are parts of.
     template <class W>
     struct edge_vectors {
-        vec3<W> edge_u, edge_v, twist, reach;
+        vec3<W> edge_u, edge_v, far;
     };
     template <class W>
     RAIO_FN constexpr edge_vectors<W> edges() const {
-        vec3<W> u = difference_as<W>(p10, p00), v = difference_as<W>(p01, p00), far = difference_as<W>(p11, p10);
-        return {u, v, far - v, abs(far) + abs(v)};
+        return {difference_as<W>(p10, p00), difference_as<W>(p01, p00), difference_as<W>(p11, p10)};
     }
 
     RAIO_FN constexpr aabb<T> corners() const { return hull(hull(hull(aabb<T>{p00, p00}, p10), p01), p11); }
