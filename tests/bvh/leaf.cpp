@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("leaf_blocks: shapes with their ids, each once, and nothing i
     const std::uint32_t ids[] = {7, 3, 7, 3, 5};
     leaves.resize(ranges);
     REQUIRE(leaves.size() == 2);
-    CHECK(leaves.bytes() > 0);
+    CHECK((leaves.bytes() >= 8 * sizeof(sphere<T>) && leaves.bytes() < 100 * sizeof(sphere<T>)));
     leaves.fill(0, std::span(ids).first(4), shape_of);
     leaves.fill(1, std::span(ids).last(1), shape_of);
     CHECK(leaves.used(0) == 3);
@@ -130,6 +130,7 @@ TEST_CASE_TEMPLATE("leaf_list: shapes with their ids, one leaf behind the other"
     leaves.fill(0, std::span(ids).first(3), shape_of);
     leaves.fill(1, std::span(ids).last(1), shape_of);
     CHECK((leaves.used(0) == 7 && leaves.used(1) == 1));
+    CHECK((leaves.bytes() >= 4 * sizeof(shape_of(1)) && leaves.bytes() < 20 * sizeof(shape_of(1))));
     for (unsigned lane = 0; lane < 3; ++lane) {
         CHECK(leaves.id(0, lane) == ids[lane]);
         CHECK(leaves.shape(0, lane).planes.size() == ids[lane]);

@@ -48,8 +48,10 @@ TEST_CASE_TEMPLATE("ray_bundle: meets what each of its rays meets", T, RAIO_NUMB
         std::array<float, ray_bundle::most> t_max;
         t_max.fill(-infinity<float>);
         float farthest = -infinity<float>;
+        const bool is_one_point = random.one_in(4);
         for (std::size_t k = 0; k < rays.size(); ++k) {
             t_max[k] = random.one_in(2) ? infinity<float> : static_cast<float>(random.uniform(-10, 40) * size);
+            if (is_one_point) t_max[k] = t_min;
             farthest = std::max(farthest, t_max[k]);
         }
         ray_bundle::numbers entry;
@@ -144,8 +146,13 @@ TEST_CASE("ray_bundle: rays of several octants, or out of range, are no bundle")
     CHECK(coherent({{o, {1, 0, 0}}, {o, {1, 0, 0}}}));  // zeros go with their signs
     CHECK(!coherent({{o, {1, 0, 0}}, {o, {1, -0.0f, 0}}}));
     CHECK(!coherent({{o, {1, 1, 1}}, {o, {0x1p-91f, 0, 0}}}));
-    CHECK(!coherent({{o, {1, 1, 1}}, {o, {0x1p101f, 1, 1}}}));
-    CHECK(!coherent({{o, {1, 1, 1}}, {{0x1p91f, 0, 0}, {1, 1, 1}}}));
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        vec3<float> fast(1), far_off(0), slow(0);
+        fast[axis] = 0x1p101f, far_off[axis] = 0x1p91f, slow[axis] = 0x1p-89f;
+        CHECK(!coherent({{o, {1, 1, 1}}, {o, fast}}));
+        CHECK(!coherent({{o, {1, 1, 1}}, {far_off, {1, 1, 1}}}));
+        CHECK(coherent({{o, slow}, {o, slow}}));
+    }
 }
 
 }  // namespace raio::test

@@ -117,6 +117,34 @@ TEST_CASE("traverse: each leaf once that the ray meets, until it is enough") {
     CHECK(seen > 5'000);
 }
 
+TEST_CASE("traverse: as deep a tree as any, in which all children wait but the nearest, a node") {
+    std::vector<wide_node> nodes(detail::deepest);
+    constexpr std::uint32_t width = node_width;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        const bool is_last = i + 1 == nodes.size();
+        nodes[i].leaf_count = width - (is_last ? 0 : 1);
+        nodes[i].first_node = i + 1;
+        for (std::uint32_t j = 0; j < width; ++j) {
+            const float x = j < nodes[i].leaf_count ? 1 : 0;
+            nodes[i].set(j, detail::to_build_box(aabb<float>{{x, -1, -1}, {8, 1, 1}}));
+            nodes[i].leaves[j] = detail::child::leaf(1, i * width + j);
+        }
+    }
+    const std::size_t leaf_count = detail::deepest * (node_width - 1) + 1;
+    const ray<float> r{{-1, 0, 0}, {1, 0, 0}};
+    const std::vector<ray<float>> rays(2, r);
+    visits found{std::vector<bool>(nodes.size() * node_width)}, found_any = found, found_together = found;
+    const node_ray boxes(r, 1.0f, random_box_reach);
+    detail::traverse(nodes, boxes, 0, infinity<float>, [&](std::uint32_t leaf) { return found.add(leaf), true; });
+    detail::traverse_any(nodes, boxes, 0, infinity<float>,
+                         [&](std::uint32_t leaf) { return found_any.add(leaf), true; });
+    std::array<float, ray_bundle::most> far;
+    far.fill(infinity<float>);
+    detail::traverse(nodes, ray_bundle(std::span(rays), 1.0f, random_box_reach), 0, far,
+                     [&](std::uint32_t leaf, std::uint32_t) { found_together.add(leaf); });
+    for (const visits* v : {&found, &found_any, &found_together}) CHECK(v->count == static_cast<int>(leaf_count));
+}
+
 TEST_CASE("traverse: of a node's children the nearer first") {
     random_numbers random(4);
     for (int i = 0; i < 300; ++i) {
