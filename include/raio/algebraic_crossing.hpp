@@ -33,6 +33,11 @@ struct line_part {
         return {coordinate(0), coordinate(1), coordinate(2)};
     }
 
+    template <class Wanted>
+    RAIO_FN constexpr wanted_roots<W> roots_for(const Wanted& wanted) const {
+        return raio::roots_for(wanted, middle, half, E(0));
+    }
+
     RAIO_FN constexpr crossing<W> at(const polynomial_root<W>& root, bool entering) const {
         W step = half * root.t;
         E rounding = E(4 * unit_roundoff<W>) * (abs(E(middle)) + abs(E(step)));
@@ -77,11 +82,14 @@ struct roots_along {
     bool begins_inside;  ///< is f negative, or may it be, before the first of them?
 };
 
-/// The roots of f in [low, high]; none and nothing inside, and that not certain, if f is out of range.
+/// The roots of f in [low, high]; none and nothing inside, and that not certain, if f is out of range. The first root
+/// is among them, wanted or not: it says what is inside.
 template <class W, std::size_t N>
-RAIO_FN constexpr roots_along<W, N> find_roots(const polynomial<W, N>& f, const W& low, const W& high) {
+RAIO_FN constexpr roots_along<W, N> find_roots(const polynomial<W, N>& f, const W& low, const W& high,
+                                               wanted_roots<W> wanted = {}) {
     using E = bound_t<W>;
-    roots_along<W, N> found{roots_between(f, low, high), false};
+    wanted.before = -infinity<E>;
+    roots_along<W, N> found{roots_between(f, low, high, wanted), false};
     if (!is_finite(f.noise()(E(1)))) return found;
     found.begins_inside = found.roots.count == 0 ? f(low) <= W(0) : found.roots.begin()->before <= 0;
     return found;
@@ -107,6 +115,17 @@ RAIO_FN constexpr vec2<W> range_of(const chord<W>& clip, const line_part<W>& par
             min(part.reach, (clip.far.t - part.middle) * over_half + more)};
 }
 
+/// The same roots are wanted, but none that is not clearly within the chord is the first.
+template <class W>
+RAIO_FN constexpr wanted_roots<W> within(const chord<W>& clip, const line_part<W>& part, wanted_roots<W> wanted) {
+    using E = bound_t<W>;
+    const E over_half = E(1) / E(part.half), middle(part.middle), less(0x1p-30);
+    const auto place = [&](const E& t) { return (t - middle) * over_half; };
+    wanted.from = max(wanted.from, place(E(clip.near.t) + clip.near.error) + less);
+    wanted.to = min(wanted.to, place(E(clip.far.t) - clip.far.error) - less);
+    return wanted;
+}
+
 }  // namespace detail
 
 /// At most as many crossings as a polynomial of degree N has roots, or a pair for each part of a solid that a convex
@@ -114,13 +133,14 @@ RAIO_FN constexpr vec2<W> range_of(const chord<W>& clip, const line_part<W>& par
 template <class W, std::size_t N>
 using crossings_of_degree = crossing_list<W, N + 2 + N % 2>;
 
-/// The solid where f <= 0, as far as it is within a convex one, whose faces close it.
+/// The solid where f <= 0, as far as it is within a convex one, whose faces close it. If only the first of the roots is
+/// wanted, where the line leaves the solid behind it need not be right.
 template <class W, std::size_t N>
 RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W, N>& f, const line_part<W>& part,
-                                                             const chord<W>& clip) {
+                                                             const chord<W>& clip, const wanted_roots<W>& wanted) {
     using E = bound_t<W>;
     const vec2<W> range = detail::range_of(clip, part);
-    const auto [roots, begins_inside] = find_roots(f, range.x, range.y);
+    const auto [roots, begins_inside] = find_roots(f, range.x, range.y, detail::within(clip, part, wanted));
     crossings_of_degree<W, N> list;
     list.certain = roots.certain;
     const auto append = [&](const chord<W>& inside) {
@@ -156,10 +176,11 @@ RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W,
 /// in the surface is nowhere crossing it.
 template <class W, std::size_t N, class Belongs>
 RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N>& f, const line_part<W>& part,
-                                                           const chord<W>& clip, Belongs belongs) {
+                                                           const chord<W>& clip, const wanted_roots<W>& wanted,
+                                                           Belongs belongs) {
     using E = bound_t<W>;
     const vec2<W> range = detail::range_of(clip, part);
-    const auto [roots, begins_inside] = find_roots(f, range.x, range.y);
+    const auto roots = roots_between(f, range.x, range.y, detail::within(clip, part, wanted));
     crossings_of_degree<W, N> list;
     list.certain = roots.certain && clip.near.certain;
     for (const polynomial_root<W>& root : roots) {
@@ -176,8 +197,8 @@ RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N
 }
 template <class W, std::size_t N>
 RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N>& f, const line_part<W>& part,
-                                                           const chord<W>& clip = everywhere<W>()) {
-    return open_crossings(f, part, clip, [](const polynomial_root<W>&) { return true; });
+                                                           const chord<W>& clip, const wanted_roots<W>& wanted) {
+    return open_crossings(f, part, clip, wanted, [](const polynomial_root<W>&) { return true; });
 }
 
 /// What is missing of a crossing with the surface where f = 0. Of f along the line from c.t on only the constant term

@@ -74,6 +74,17 @@ struct crossing {
     mask_t<W> shared{};    ///< may it be another face that is crossed there?
 };
 
+/// All crossings of a line are wanted.
+struct every_crossing {};
+
+/// Only the first crossing in [t_min, t_max] is wanted. Those that are before that need not be found, nor those after
+/// the first that is not.
+template <real T>
+struct first_from {
+    T t_min, t_max;
+    bool roughly;  ///< is it enough to know whether it is in there?
+};
+
 /// Two crossings of one line, in order. Of a convex solid both exist or none does, and the line is inside between them.
 template <class W>
 struct chord {

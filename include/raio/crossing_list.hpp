@@ -57,6 +57,24 @@ struct crossing_list {
     }
 };
 
+/// Which roots x are wanted, where the crossings wanted are at t = middle + x half.
+/// \param error  of t, besides the error of x times half
+template <class W>
+RAIO_FN constexpr wanted_roots<W> roots_for(const every_crossing&, const W&, const W&, const bound_t<W>&) {
+    return {};
+}
+template <class W, real T>
+RAIO_FN constexpr wanted_roots<W> roots_for(const first_from<T>& wanted, const W& middle, const W& half,
+                                            const bound_t<W>& error) {
+    using E = bound_t<W>;
+    const E over_half = E(1) / E(half), in_e(16 * unit_roundoff<E>), in_t(2 * unit_roundoff<T>);
+    const E begin(W(wanted.t_min)), end(W(wanted.t_max)), at = E(middle), off = error + in_e * abs(at);
+    const E of_begin = off + in_t * abs(begin), of_end = off + in_t * abs(end);
+    wanted_roots<W> roots{(begin - of_begin - at) * over_half - in_e, (begin + of_begin - at) * over_half + in_e};
+    if (wanted.roughly) roots.to = is_finite(end) ? (end - of_end - at) * over_half - in_e : end;
+    return roots;
+}
+
 // What `first_hit` and `any_hit` ask of a list; they find it by its argument.
 template <real T, class W, std::size_t N>
 RAIO_FN constexpr crossing<W> first_in_window(const crossing_list<W, N>& list, T t_min, T t_max) {

@@ -41,6 +41,16 @@ RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_ma
 /// doubt.
 enum class question { whether, where, only_where };
 
+/// The crossings of a shape; of one that has to search for them only what the question wants to know.
+template <class W, question Asked, class Shape, real R, real T>
+RAIO_FN constexpr auto crossings_for(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
+    if constexpr (requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
+        return shape.template crossings<W>(ray, first_from<T>{t_min, t_max, Asked == question::whether});
+    } else {
+        return shape.template crossings<W>(ray);
+    }
+}
+
 /// The first crossing that may be in the window as W finds it, and whether exact arithmetic is known to say the same:
 /// the crossing is certain, wherever in its error t is, it lies inside the window, or outside; and if t is asked for,
 /// both ends of the error round to the same.
@@ -114,7 +124,8 @@ template <real T, class Shape, real R, class Then>
     using W = working_t<T>;
     using X = exact_t<T>;
     if constexpr (works_first<T, R>) {
-        auto [quick, known] = settled_in_window<question::whether>(shape.template crossings<W>(ray), t_min, t_max);
+        auto [quick, known] = settled_in_window<question::whether>(
+            crossings_for<W, question::where>(shape, ray, t_min, t_max), t_min, t_max);
         if constexpr (correctable<Shape, X, W>) {
             // Whatever the window is, and whatever is asked, it is the same crossing that is found.
             if (refinable(quick)) {
@@ -122,12 +133,12 @@ template <real T, class Shape, real R, class Then>
                 if (is_settled(fine, t_min, t_max)) return then(fine);
             }
         }
-        auto exact = first_in_window(shape.template crossings<X>(ray), t_min, t_max);
+        auto exact = first_in_window(crossings_for<X, question::where>(shape, ray, t_min, t_max), t_min, t_max);
         // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
         // range.
         return !exact.exists && known && quick.exists ? then(quick) : then(exact);
     } else {
-        return then(first_in_window(shape.template crossings<X>(ray), t_min, t_max));
+        return then(first_in_window(crossings_for<X, question::where>(shape, ray, t_min, t_max), t_min, t_max));
     }
 }
 
@@ -136,7 +147,7 @@ template <question Asked, real T, class Shape, real R, class Then>
 RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T, R>) {
         keep_as_stored<T>(shape, ray);
-        auto quick = shape.template crossings<working_t<T>>(ray);
+        auto quick = crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max);
         if constexpr (Asked != question::whether && always_refined<Shape, T>) {
             auto [first, known] = settled_in_window<question::whether>(quick, t_min, t_max);
             if (known && !first.exists) return false;

@@ -152,6 +152,98 @@ TEST_CASE_TEMPLATE("polynomial: roots of higher multiplicity are places that are
     CHECK(found_roots<W, 2>({0, 0}, -10, 10).places[0].t == W(0));
 }
 
+TEST_CASE("polynomial: a clear sign between two roots is no end of the place where they are taken for one") {
+    const std::vector<oracle> roots{oracle("-7.6796936445700136886"), oracle("-7.6790678929735308383"),
+                                    oracle("-5.4515112847240505545"), oracle("-5.4511287388667622628"),
+                                    oracle("-5.450421413275354297"),  oracle("4.4826356109457954346")};
+    random_numbers random(77);
+    for (int i = 0; i < 1000; ++i) {  // the place is looked for from other sides
+        const double high = random.log_uniform(10, 1e12);
+        const auto p = with_roots<strict_double, 8>(oracle(0x1.115bd0459cb54p+3), roots);
+        const auto found = roots_between(p, strict_double(-high), strict_double(high));
+        REQUIRE(wrong_roots<8, strict_double>(found, roots, oracle(-high), oracle(high)) == "");
+    }
+}
+
+TEST_CASE_TEMPLATE("polynomial: only the first root beyond a place", W, strict_double, double_double, oracle) {
+    using E = bound_t<W>;
+    const auto p = with_roots<W, 4>(1, {-3, -1, 2, 7});
+    const auto found = [&](double before, double from, double to) {
+        return roots_between(p, W(-10), W(10), {E(before), E(from), E(to)});
+    };
+    const double nowhere = -infinity<double>;
+    const auto is_at = [](const polynomial_root<W>& root, double t) {
+        return root.before * root.after < 0 && abs(exactly(root.t) - t) <= exactly(root.error);
+    };
+
+    const auto second = found(nowhere, -2, nowhere);
+    REQUIRE((second.certain && second.count == 2));
+    CHECK((is_at(second.places[0], -3) && is_at(second.places[1], -1)));
+    CHECK(exactly(second.places[1].error) < oracle(1e-12));
+    CHECK(found(nowhere, 9, nowhere).count == 4);
+
+    // Which roots end before a place the roots' enclosures say, so that one beside it may be found all the same.
+    const auto last = found(6, 6.5, nowhere);
+    REQUIRE((last.certain && last.count >= 1 && last.count <= 2));
+    CHECK(is_at(last.places[last.count - 1], 7));
+
+    const auto rough = found(nowhere, -11, 11);
+    REQUIRE((rough.certain && rough.count == 1 && is_at(rough.places[0], -3)));
+    CHECK(exactly(rough.places[0].error) > oracle(1e-3));
+    const auto sharp = found(nowhere, -11, -3 + 1e-9);
+    REQUIRE((sharp.certain && sharp.count == 1 && is_at(sharp.places[0], -3)));
+    CHECK(exactly(sharp.places[0].error) < oracle(1e-12));
+}
+
+/// What is wrong with the roots that were found if only the first beyond a place is wanted.
+template <std::size_t N, class W>
+std::string wrong_first(const polynomial_roots<W, N>& found, std::vector<oracle> roots, const wanted_roots<W>& wanted,
+                        const oracle& low, const oracle& high) {
+    const auto end = [&](const polynomial_root<W>& r, int side) { return exactly(r.t) + side * exactly(r.error); };
+    std::erase_if(roots, [&](const oracle& root) { return root < low || root > high; });
+    std::sort(roots.begin(), roots.end());
+    bool beyond = false;
+    std::size_t next = 0;  // of the roots that were not found
+    for (const polynomial_root<W>& place : found) {
+        if (beyond) return "one after the first";
+        while (next < roots.size() && roots[next] < end(place, -1)) {
+            if (roots[next] >= exactly(wanted.before)) return "lost one";
+            ++next;
+        }
+        if (next == roots.size() || roots[next] > end(place, 1)) return "off by more than its error";
+        ++next;
+        beyond = end(place, -1) > exactly(wanted.from);
+        if (exactly(place.error) > oracle(1e-2) && !(beyond && end(place, 1) < exactly(wanted.to)))
+            return "rough where that was not wanted";
+    }
+    if (!beyond && next < roots.size() && roots.back() >= exactly(wanted.before)) return "lost the last";
+    return "";
+}
+
+TEST_CASE_TEMPLATE("polynomial: the first root beyond a place is the same as among all", W, strict_double,
+                   double_double) {
+    using E = bound_t<W>;
+    random_numbers random(8);
+    int complaints = 0, certain = 0;
+    for (int i = 0; i < normal_run / 20; ++i) {
+        std::vector<oracle> roots;
+        for (int n = random.integer(0, 6); n > 0; --n) roots.push_back(oracle(random.uniform(-10, 10)));
+        const double from = random.uniform(-11, 11), to = random.one_in(2) ? from : random.uniform(from, 12);
+        const double before = random.one_in(2) ? -infinity<double> : from - random.log_uniform(1e-9, 1);
+        const wanted_roots<W> wanted{E(before), E(from), E(to)};
+        const auto found = roots_between(with_roots<W, 6>(1, roots), W(-10), W(10), wanted);
+        if (!found.certain) continue;
+        ++certain;
+        const std::string wrong = wrong_first<6, W>(found, roots, wanted, oracle(-10), oracle(10));
+        if (wrong.empty() || ++complaints > 3) continue;
+        std::string text;
+        for (const oracle& root : roots) text += ' ' + root.str(20);
+        FAIL_CHECK(wrong << ", before " << before << ", from " << from << ", to " << to << ":" << text);
+    }
+    CHECK(complaints == 0);
+    CHECK(certain > normal_run / 25);
+}
+
 TEST_CASE_TEMPLATE("polynomial: a root at the end of the interval is not certain", W, strict_double, double_double) {
     CHECK(!found_roots<W, 4>({-3, -1, 2, 7}, -1, 5).certain);
     CHECK(!found_roots<W, 4>({-3, -1, 2, 7}, -2, 7).certain);

@@ -81,7 +81,33 @@ struct polynomial_roots {
     RAIO_FN constexpr const polynomial_root<W>* end() const { return places.data() + count; }
 };
 
+/// Which roots are wanted. All of them, unless it is said that only the first beyond some place is.
+template <real W>
+struct wanted_roots {
+    using E = bound_t<W>;
+
+    E before = -infinity<E>;  ///< what is before this need not be found,
+    E from = infinity<E>;     ///< nor what comes after the first root beyond this,
+    E to = -infinity<E>;      ///< and of that no more than where it is enclosed, if that ends before this
+};
+
 namespace detail {
+
+/// Where a root is known to be before it is approached.
+template <real W>
+struct enclosure {
+    W low, high;
+    int before, after;  ///< the signs of the polynomial there
+    bool is_one;        ///< is there one simple root for certain?
+};
+
+/// The root, and no more of it than where it is enclosed.
+template <real W>
+RAIO_FN constexpr polynomial_root<W> somewhere_in(const enclosure<W>& about) {
+    using E = bound_t<W>;
+    W middle = about.low + (about.high - about.low) * W(0.5);
+    return {middle, E(max(about.high - middle, middle - about.low)), about.before, about.after, E(infinity<E>)};
+}
 
 /// Finds the roots of one polynomial in [low, high].
 template <real W, std::size_t N>
@@ -92,42 +118,85 @@ public:
     RAIO_FN constexpr root_finder(const polynomial<W, N>& p, const W& low, const W& high)
         : p_(p), noise_(p.noise()), low_(low), high_(high) {}
 
+    /// Of the derivative. What bounds its error is no larger than the derivative of what bounds the polynomial's.
+    RAIO_FN constexpr explicit root_finder(const root_finder<W, N + 1>& of) : low_(of.low_), high_(of.high_) {
+        for (std::size_t k = 0; k <= N; ++k) {
+            p_.coefficient[k] = W(static_cast<int>(k + 1)) * of.p_.coefficient[k + 1];
+            noise_.coefficient[k] = E(static_cast<int>(k + 1)) * of.noise_.coefficient[k + 1];
+        }
+    }
+
+    /// Can the polynomial be evaluated everywhere in the interval?
+    RAIO_FN constexpr bool is_sound() const {
+        return low_ < high_ && is_finite(noise_(max(E(abs(low_)), E(abs(high_)))) * E(1 / unit_roundoff<W>));
+    }
+
+    /// Calls `take` with one enclosure after the other, in order, and with a function that finds the root in there, as
+    /// long as it answers true; answers whether it did to the end.
+    ///
     /// \param tolerance  of Newton's last step, relative to t: its square is left
     /// \param between    the same for the roots of the derivatives, which need only be told from those of the
     /// polynomial
-    RAIO_FN constexpr polynomial_roots<W, N> find(const E& tolerance, const E& between) const {
-        polynomial_roots<W, N> found;
+    template <class Take>
+    RAIO_FN constexpr bool find(const E& tolerance, const E& between, Take take) const {
         if constexpr (N == 2) {
-            if (solve(found)) return found;
+            pair_of_roots two;
+            if (solve(two)) {
+                for (std::size_t i = 0; i < two.count; ++i) {
+                    const polynomial_root<W>& root = two.places[i];
+                    if (!take({root.t, root.t, root.before, root.after, true}, [&] { return root; })) return false;
+                }
+                return true;
+            }
         }
-        std::array<sample, N + 1> samples;
-        std::size_t count = 0;
-        samples[count++] = sample_at(low_, E(0), E(0));
+        sample before{low_, E(0), 0}, first = before, last = before;  // with a sign; the first and the last without one
+        bool is_open = false;
+        const auto take_extremum = [&](const sample& after) {
+            return take({first.t, last.t, before.sign, after.sign, false},
+                        [&] { return extremum(before, first, last, after); });
+        };
+        const auto reach = [&](const sample& next) {
+            if (next.sign == 0) {
+                if (!is_open) first = next;
+                last = next, is_open = true;
+                return true;
+            }
+            bool goes_on = true;
+            if (is_open) {
+                goes_on = take_extremum(next);
+            } else if (before.sign * next.sign < 0) {
+                goes_on = take({before.t, next.t, before.sign, next.sign, true},
+                               [&] { return enclosed(before, next, tolerance); });
+            }
+            before = next, is_open = false;
+            return goes_on;
+        };
+        if (!reach(sample_at(low_, E(0), E(0)))) return false;
         if constexpr (N > 1) {
-            const polynomial<W, N - 1> slope = p_.derivative();
-            for (const auto& turn : root_finder<W, N - 1>(slope, low_, high_).find(between, between)) {
-                samples[count++] = sample_at(turn.t, turn.error, turn.height);
-            }
+            const auto turn = [&](const enclosure<W>& about, auto approached) {
+                if (about.is_one && about.low < about.high && !is_open) {
+                    // If the sign has changed here, the turn itself need not be found: there is one root so far, and
+                    // from here on to the next turn there is one or none, as the signs say.
+                    const sample nearly = sample_at(about.low + (about.high - about.low) * W(0.5), E(0), E(0));
+                    if (before.sign * nearly.sign < 0) return reach(nearly);
+                }
+                const polynomial_root<W> at = approached();
+                return reach(sample_at(at.t, at.error, at.height));
+            };
+            if (!root_finder<W, N - 1>(*this).find(between, between, turn)) return false;
         }
-        samples[count++] = sample_at(high_, E(0), E(0));
-
-        std::size_t next = 0;  // one after the last sample with a sign
-        for (std::size_t i = 0; i <= count; ++i) {
-            if (i < count && samples[i].sign == 0) continue;
-            const sample before = next > 0 ? samples[next - 1] : sample{low_, E(0), 0};
-            const sample after = i < count ? samples[i] : sample{high_, E(0), 0};
-            if (i > next) {
-                found.places[found.count++] = extremum(before, samples[next], samples[i - 1], after);
-                found.certain = false;
-            } else if (before.sign * after.sign < 0) {
-                found.places[found.count++] = enclosed(before, after, tolerance);
-            }
-            next = i + 1;
-        }
-        return found;
+        return reach(sample_at(high_, E(0), E(0))) && (!is_open || take_extremum({high_, E(0), 0}));
     }
 
 private:
+    template <real, std::size_t>
+    friend class root_finder;
+
+    struct pair_of_roots {
+        std::array<polynomial_root<W>, 2> places;
+        std::size_t count = 0;
+    };
+
     /// The polynomial at one place.
     struct sample {
         W t;
@@ -141,6 +210,12 @@ private:
     RAIO_FN constexpr E noise_at(const W& t) const { return noise_(E(abs(t))); }
     RAIO_FN constexpr int sign_at(const W& t) const { return sign_beyond(p_(t), noise_at(t)); }
 
+    /// Has the polynomial beyond doubt the sign at t that it has in the sample, or any, if it has none there?
+    RAIO_FN constexpr bool has_sign_of(const sample& s, const W& t) const {
+        const int sign = sign_at(t);
+        return s.sign == 0 ? sign != 0 : sign == s.sign;
+    }
+
     /// \param slope  bound of the derivative's magnitude within `reach` of t
     RAIO_FN constexpr sample sample_at(const W& t, const E& reach, const E& slope) const {
         return {t, reach, sign_beyond(p_(t), noise_(E(abs(t)) + reach) + reach * slope)};
@@ -148,7 +223,7 @@ private:
 
     /// The closed form of degree 2 loses no root where the sign of its discriminant is not in doubt. False if it is, or
     /// if a root may be on an end.
-    RAIO_FN constexpr bool solve(polynomial_roots<W, N>& found) const requires(N == 2) {
+    RAIO_FN constexpr bool solve(pair_of_roots& found) const requires(N == 2) {
         const auto& c = p_.coefficient;
         const auto& off = noise_.coefficient;
         W half = c[1] * W(-0.5), square = half * half - c[2] * c[0];
@@ -197,27 +272,30 @@ private:
         // The end that t takes the place of is as good as random: chosen by an index it is not guessed by the
         // processor.
         std::array<W, 2> ends{from.t, to.t};
-        W t = guess(from.t, to.t), slope(0);
-        E step = E(to.t - from.t);
+        W t = guess(from.t, to.t);
+        E slope(0), step = E(to.t - from.t);
         for (int i = 0; i < 256; ++i) {
             W value = p_.coefficient[N];
-            slope = W(0);
+            E x(t), bend(0);  // half of the second derivative
+            slope = E(0);
             for (std::size_t k = N; k-- > 0;) {
-                slope = slope * t + value;
+                bend = bend * x + slope;
+                slope = slope * x + E(value);
                 value = value * t + p_.coefficient[k];
             }
             ends[(value > W(0)) == (to.sign > 0) ? 1 : 0] = t;
-            W newton = t - quotient(value, slope, W(infinity<W>));
+            E height(value), off = quotient(height * slope, slope * slope - height * bend, infinity<E>);
+            W next = t - W(off);
             E last_step = step;
-            step = E(abs(newton - t));
-            const bool good = every(ends[0] <= newton, newton <= ends[1], step <= E(0.5) * last_step);
-            t = good ? newton : ends[0] + (ends[1] - ends[0]) * W(0.5);
+            step = abs(off);
+            const bool good = every(ends[0] <= next, next <= ends[1], step <= E(0.5) * last_step);
+            t = good ? next : ends[0] + (ends[1] - ends[0]) * W(0.5);
             if (!good) step = E(abs(ends[1] - ends[0]));
             if (!(step > (good ? tolerance : E(unit_roundoff<W>)) * E(abs(t)))) break;
         }
 
         // The root lies where the sign changes beyond doubt.
-        E reach = quotient(E(4) * noise_at(t), E(abs(slope)), step) + step * tolerance + resolution(t);
+        E reach = quotient(E(4) * noise_at(t), abs(slope), step) + step * tolerance + resolution(t);
         for (;;) {
             W left = max(from.t, t - W(reach)), right = min(to.t, t + W(reach)), at_left = p_(left),
               at_right = p_(right);
@@ -239,8 +317,8 @@ private:
         E reach = E(last.t - first.t) + first.reach + last.reach + resolution(t);
         for (;;) {
             W left = max(before.t, t - W(reach)), right = min(after.t, t + W(reach));
-            const bool left_clear = !(before.t < left) || sign_at(left) != 0;
-            const bool right_clear = !(right < after.t) || sign_at(right) != 0;
+            const bool left_clear = !(before.t < left) || has_sign_of(before, left);
+            const bool right_clear = !(right < after.t) || has_sign_of(after, right);
             if (left_clear && right_clear) {
                 E height = E(2) * (max(E(abs(p_(left))), E(abs(p_(right)))) + noise_(E(abs(t)) + reach));
                 return {t, E(max(right - t, t - left)), before.sign, after.sign, height};
@@ -259,14 +337,27 @@ private:
 /// The roots in [low, high], which has to be finite. One that is on an end may be found or not, and is not certain.
 /// None, and that not certain, for a polynomial that is not finite.
 template <real W, std::size_t N>
-RAIO_FN constexpr polynomial_roots<W, N> roots_between(const polynomial<W, N>& p, const W& low, const W& high) {
+RAIO_FN constexpr polynomial_roots<W, N> roots_between(const polynomial<W, N>& p, const W& low, const W& high,
+                                                       const wanted_roots<W>& wanted = {}) {
     using E = bound_t<W>;
-    E largest = p.noise()(max(E(abs(low)), E(abs(high)))) * E(1 / unit_roundoff<W>);
-    if (!(low < high) || !is_finite(largest)) return {.certain = false};
-    E exact = sqrt(E(16 * unit_roundoff<W>)), coarse(0x1p-7);
     const detail::root_finder<W, N> finder(p, low, high);
-    polynomial_roots<W, N> quick = finder.find(exact, coarse);
-    return quick.certain ? quick : finder.find(exact, exact);
+    if (!finder.is_sound()) return {.certain = false};
+    E exact = sqrt(E(16 * unit_roundoff<W>)), coarse(0x1p-7);
+    polynomial_roots<W, N> found;
+    for (const bool in_haste : {true, false}) {
+        found = {};
+        const auto take = [&](const detail::enclosure<W>& about, auto approached) {
+            if (about.is_one && E(about.high) < wanted.before) return true;
+            const bool roughly = about.is_one && E(about.low) > wanted.from && E(about.high) < wanted.to;
+            const polynomial_root<W> root = roughly ? detail::somewhere_in(about) : approached();
+            found.places[found.count++] = root;
+            found.certain = found.certain && about.is_one;
+            return about.is_one ? !(E(root.t) - root.error > wanted.from) : !in_haste;
+        };
+        finder.find(exact, in_haste ? coarse : exact, take);
+        if (found.certain) break;
+    }
+    return found;
 }
 
 }  // namespace raio

@@ -67,8 +67,8 @@ struct algebraic {
         return sum;
     }
 
-    template <class W, real R>
-    RAIO_FN constexpr crossings_of_degree<W, Degree> crossings(const ray<R>& ray) const {
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FN constexpr crossings_of_degree<W, Degree> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         crossings_of_degree<W, Degree> list;
         chord<W> clip = box<T>{min, max}.template crossings<W>(ray);
         list.certain = clip.near.certain;
@@ -83,9 +83,9 @@ struct algebraic {
         if (!part.exists) return list;
         clip.near.face = clip.far.face = index_t<W>(1);
         if constexpr (Closed) {
-            return closed_crossings(along(part.point()), part, clip);
+            return closed_crossings(along(part.point()), part, clip, part.roots_for(wanted));
         } else {
-            return open_crossings(along(part.point()), part, clip);
+            return open_crossings(along(part.point()), part, clip, part.roots_for(wanted));
         }
     }
 

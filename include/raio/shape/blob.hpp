@@ -72,8 +72,8 @@ struct blob {
         return sum;
     }
 
-    template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, most_crossings> crossings(const ray<R>& ray) const {
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FN constexpr crossing_list<W, most_crossings> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         crossing_list<W, most_crossings> list;
         const aabb<T> box = bounds();
         if (!is_sound() || !(box.min.x < box.max.x)) return list;
@@ -95,8 +95,8 @@ struct blob {
             });
         }
 
-        walk<W> along{part, list};
-        for (std::size_t i = 0; i + 1 < end_count; ++i) {
+        walk<W> along{part, part.roots_for(wanted), list};
+        for (std::size_t i = 0; i + 1 < end_count && !along.is_done; ++i) {
             if (!(ends[i] < ends[i + 1])) continue;
             polynomial<W, 4> f{{W(threshold)}};
             bool empty = true;
@@ -178,13 +178,14 @@ private:
     template <class W>
     struct walk {
         const line_part<W>& part;
+        wanted_roots<W> wanted;
         crossing_list<W, most_crossings>& list;
         int sign = 1;  ///< of threshold - field
-        bool is_open = false;
+        bool is_open = false, is_done = false;
         polynomial_root<W> open{};
 
         RAIO_FN constexpr void cross(const polynomial<W, 4>& f, const W& low, const W& high) {
-            const auto [roots, begins_inside] = find_roots(f, low, high);
+            const auto [roots, begins_inside] = find_roots(f, low, high, wanted);
             list.certain = list.certain && roots.certain;
             if (roots.count == 0) return reach(begins_inside ? -1 : 1);
             for (const polynomial_root<W>& root : roots) {
@@ -204,6 +205,7 @@ private:
                 open.before = sign, open.after = next;
                 const crossing<W> c = part.at(open, true);
                 list.append(c.t, c.error, open);
+                is_done = bound_t<W>(open.t) - open.error > wanted.from;
             }
             is_open = false, sign = next;
         }

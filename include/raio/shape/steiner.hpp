@@ -40,8 +40,8 @@ struct steiner {
         return padded(padded(aabb<T>{center - half, center + half}));
     }
 
-    template <class W, real R>
-    RAIO_FN constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray) const {
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FN constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         using E = bound_t<W>;
         // The lobes reach as far as their tips at size / 3 (1, 1, 1), which are 0.58 away, and as the cube's faces.
         const auto part = part_near(ray, center, vec3<W>(center), W(size) * W(0.5859375));
@@ -59,7 +59,7 @@ struct steiner {
             }
             return within;
         };
-        return open_crossings(f, part, everywhere<W>(), belongs);
+        return open_crossings(f, part, everywhere<W>(), part.roots_for(wanted), belongs);
     }
 
     template <class X, class W>

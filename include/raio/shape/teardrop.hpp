@@ -44,8 +44,8 @@ struct teardrop {
         return padded(padded(hull(around(bottom), around(tip))));
     }
 
-    template <class W, real R>
-    RAIO_FN constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray) const {
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FN constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         vec3<W> low(bottom), axis = vec3<W>(tip) - low;
         W r(radius), axis2 = dot(axis, axis);
         const bool sound = radius > T(0) && axis2 >= W(least_normal<W>) && r * r >= W(least_normal<W>);
@@ -53,7 +53,7 @@ struct teardrop {
         const auto part = part_near(ray, bottom, low + axis * W(0.5), sqrt(axis2 * W(0.25) + r * r));
         if (!part.exists) return {.certain = part.certain};
 
-        return open_crossings(along(part.point()), part);
+        return open_crossings(along(part.point()), part, everywhere<W>(), part.roots_for(wanted));
     }
 
     template <class X, class W>

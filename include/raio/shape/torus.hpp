@@ -69,8 +69,8 @@ struct torus {
         return {center + outwards * major_radius + normal * minor_radius, normal};
     }
 
-    template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FN constexpr crossing_list<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         using E = bound_t<W>;
         constexpr double u = unit_roundoff<W>, least = least_normal<W>;
         crossing_list<W, 4> list;
@@ -102,12 +102,14 @@ struct torus {
         f.error = {slack, slack, slack, E(0), slack};
 
         E drift = off * norm1(vec3<E>(d)) * E(over_d2);
-        const auto roots = roots_between(f, W(-1), W(1));
+        const bool is_ring = minor_radius <= major_radius;
+        const auto roots =
+            roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half, drift) : wanted_roots<W>{});
         list.certain = roots.certain;
         for (const polynomial_root<W>& root : roots) {
             W t = middle + half * root.t;
             E error = E(half) * root.error + drift + E(4 * u) * abs(E(t));
-            if (minor_radius <= major_radius) {
+            if (is_ring) {
                 list.append(t, error, root);
                 continue;
             }
