@@ -3,7 +3,7 @@
 #include <raio/bvh/assemble.hpp>
 #include <raio/bvh/hit_list.hpp>
 #include <raio/bvh/nearest.hpp>
-#include <raio/bvh/traverse.hpp>
+#include <raio/bvh/together.hpp>
 #include <raio/compose/group.hpp>
 #include <raio/compose/mesh.hpp>
 
@@ -96,7 +96,7 @@ public:
     ///
     /// \param recs  as many; those of rays that miss are left as they are
     std::uint64_t hit(std::span<const ray<T>> rays, T t_min, T t_max, std::span<hit_record<T>> recs) const {
-        return for_each_bundle(rays, [&](std::span<const ray<T>> some, std::size_t first) {
+        return detail::for_each_bundle(rays, [&](std::span<const ray<T>> some, std::size_t first) {
             std::array<std::optional<detail::nearest<T, leaves, T, T>>, detail::ray_bundle::most> queries;
             for (std::size_t i = 0; i < some.size(); ++i) {
                 queries[i].emplace(tree_.leaves, some[i], t_min, t_max, recs[first + i]);
@@ -105,8 +105,8 @@ public:
                 queries[i]->template visit<kind()>(block, lanes);
                 return queries[i]->farthest();
             };
-            const bool together = visit_leaves_together(some, t_min, t_max, visit);
-            return bits_of(some.size(), [&](std::size_t i) {
+            const bool together = detail::visit_leaves_together(tree_, some, t_min, t_max, visit);
+            return detail::bits_of(some.size(), [&](std::size_t i) {
                 return together ? queries[i]->finish() : hit(some[i], t_min, t_max, recs[first + i]);
             });
         });
@@ -114,15 +114,15 @@ public:
 
     /// What `occluded` answers for each of at most 64 rays, likewise.
     std::uint64_t occluded(std::span<const ray<T>> rays, T t_min, T t_max) const {
-        return for_each_bundle(rays, [&](std::span<const ray<T>> some, std::size_t) {
+        return detail::for_each_bundle(rays, [&](std::span<const ray<T>> some, std::size_t) {
             std::array<bool, detail::ray_bundle::most> found{};
             const auto visit = [&](std::size_t i, auto kind, std::uint32_t block, const auto& lanes) {
                 found[i] = meets_any<kind()>(block, lanes, some[i], t_min, t_max);
                 return found[i] ? -infinity<T> : t_max;
             };
-            const bool together = visit_leaves_together(some, t_min, t_max, visit);
-            return bits_of(some.size(),
-                           [&](std::size_t i) { return together ? found[i] : occluded(some[i], t_min, t_max); });
+            const bool together = detail::visit_leaves_together(tree_, some, t_min, t_max, visit);
+            return detail::bits_of(
+                some.size(), [&](std::size_t i) { return together ? found[i] : occluded(some[i], t_min, t_max); });
         });
     }
 
@@ -241,59 +241,11 @@ private:
         }
     }
 
-    /// Calls `answer` with as many rays at a time as go through the tree together, and puts together what it answers.
-    template <class Answer>
-    static std::uint64_t for_each_bundle(std::span<const ray<T>> rays, Answer answer) {
-        std::uint64_t all = 0;
-        for (std::size_t i = 0; i < rays.size(); i += detail::ray_bundle::most) {
-            all |= answer(rays.subspan(i, std::min(detail::ray_bundle::most, rays.size() - i)), i) << i;
-        }
-        return all;
-    }
-
-    /// One bit for each of `count` answers.
-    template <class Answer>
-    static std::uint64_t bits_of(std::size_t count, Answer answer) {
-        std::uint64_t bits = 0;
-        for (std::size_t i = 0; i < count; ++i) bits |= std::uint64_t{answer(i)} << i;
-        return bits;
-    }
-
-    template <class R>
-    static bool runs(const ray<R>& ray) {
-        return norm1(ray.direction) > R(0) && is_finite(ray.direction) && is_finite(ray.origin);
-    }
-
-    /// Calls `visit` with all leaves that rays which run side by side may meet, and with the number of each ray that
-    /// may. Answers false, and does nothing, if they do not run side by side.
-    /// \param visit  answers how far the ray still has to be followed
-    template <class Visit>
-    bool visit_leaves_together(std::span<const ray<T>> rays, T t_min, T t_max, Visit visit) const {
-        if (tree_.nodes.empty() || !(t_min <= t_max)) return false;
-        if (!std::ranges::all_of(rays, [](const ray<T>& r) { return runs(r); })) return false;
-        const detail::ray_bundle bundle(rays, tree_.scale, tree_.size);
-        if (!bundle.is_coherent()) return false;
-        std::array<float, detail::ray_bundle::most> far;
-        far.fill(-infinity<float>);
-        std::fill_n(far.begin(), rays.size(), detail::rounded_up(t_max));
-        const auto visit_leaf = [&](std::uint32_t leaf, std::uint32_t of) {
-            leaves::with_kind(detail::child::kind(leaf), [&](auto kind) {
-                for (; of != 0; of &= of - 1) {
-                    const auto i = static_cast<std::size_t>(std::countr_zero(of));
-                    const auto lanes = std::get<kind()>(leaves::rays(rays[i]));
-                    far[i] = detail::rounded_up(visit(i, kind, detail::child::block(leaf), lanes));
-                }
-            });
-        };
-        detail::traverse(tree_.nodes, bundle, detail::rounded_down(t_min), far, visit_leaf);
-        return true;
-    }
-
     /// Calls `visit` with all leaves that the ray may meet.
     /// \param t_max  may be brought nearer by `visit`
     template <bool Any, class R, class Visit>
     void visit_leaves(const ray<R>& ray, T t_min, const T& t_max, Visit visit) const {
-        if (tree_.nodes.empty() || !runs(ray) || !(t_min <= t_max)) return;
+        if (tree_.nodes.empty() || !detail::runs(ray) || !(t_min <= t_max)) return;
         const auto lanes = leaves::rays(ray);
         float far = detail::rounded_up(t_max);
         const float near = detail::rounded_down(t_min);

@@ -7,6 +7,12 @@ namespace raio::detail {
 /// No tree is deeper.
 inline constexpr std::size_t deepest = 96;
 
+/// Does the ray go anywhere? No other is asked of a tree.
+template <class R>
+bool runs(const ray<R>& ray) {
+    return norm1(ray.direction) > R(0) && is_finite(ray.direction) && is_finite(ray.origin);
+}
+
 /// Calls `visit` with the leaves that the ray may meet between `t_min` and `t_max`, the nearer mostly before the
 /// farther.
 /// \param t_max  may be brought nearer by `visit`, which answers whether to go on

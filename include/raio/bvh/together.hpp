@@ -1,0 +1,55 @@
+#pragma once
+
+#include <raio/bvh/traverse.hpp>
+
+/// \file
+/// Many rays at once: those that run side by side go through a tree together.
+
+namespace raio::detail {
+
+/// Calls `answer` with as many rays at a time as go through a tree together, and with the number of the first of them;
+/// puts together what it answers, one bit for each.
+template <class T, class Answer>
+std::uint64_t for_each_bundle(std::span<const ray<T>> rays, Answer answer) {
+    std::uint64_t all = 0;
+    for (std::size_t i = 0; i < rays.size(); i += ray_bundle::most) {
+        all |= answer(rays.subspan(i, std::min(ray_bundle::most, rays.size() - i)), i) << i;
+    }
+    return all;
+}
+
+/// One bit for each of `count` answers.
+template <class Answer>
+std::uint64_t bits_of(std::size_t count, Answer answer) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < count; ++i) bits |= std::uint64_t{answer(i)} << i;
+    return bits;
+}
+
+/// Calls `visit` with all leaves that the rays of a bundle may meet, and with the number of each ray that may. Answers
+/// false, and does nothing, if they do not run side by side.
+/// \param visit  answers how far the ray still has to be followed
+template <class Tree, class T, class Visit>
+bool visit_leaves_together(const Tree& tree, std::span<const ray<T>> rays, T t_min, T t_max, Visit visit) {
+    using leaves = typename Tree::leaves_type;
+    if (tree.nodes.empty() || !(t_min <= t_max)) return false;
+    if (!std::ranges::all_of(rays, [](const ray<T>& r) { return runs(r); })) return false;
+    const ray_bundle bundle(rays, tree.scale, tree.size);
+    if (!bundle.is_coherent()) return false;
+    std::array<float, ray_bundle::most> far;
+    far.fill(-infinity<float>);
+    std::fill_n(far.begin(), rays.size(), rounded_up(t_max));
+    const auto visit_leaf = [&](std::uint32_t leaf, std::uint32_t of) {
+        leaves::with_kind(child::kind(leaf), [&](auto kind) {
+            for (; of != 0; of &= of - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(of));
+                const auto lanes = std::get<kind()>(leaves::rays(rays[i]));
+                far[i] = rounded_up(visit(i, kind, child::block(leaf), lanes));
+            }
+        });
+    };
+    traverse(tree.nodes, bundle, rounded_down(t_min), far, visit_leaf);
+    return true;
+}
+
+}  // namespace raio::detail

@@ -1,0 +1,119 @@
+#include <raio/bvh/together.hpp>
+
+#include "support/trees.hpp"
+
+namespace raio::test {
+
+TEST_CASE("together: a bundle after the other, and one bit for each ray in its place") {
+    const std::vector<ray<float>> rays(64);
+    for (std::size_t count = 0; count <= rays.size(); ++count) {
+        std::size_t next = 0;
+        const std::uint64_t all = detail::for_each_bundle(
+            std::span(rays.data(), count), [&](std::span<const ray<float>> some, std::size_t first) {
+                CHECK(first == next);
+                CHECK(some.data() == rays.data() + first);
+                CHECK((some.size() == detail::ray_bundle::most || first + some.size() == count));
+                next = first + some.size();
+                return detail::bits_of(some.size(), [&](std::size_t i) { return (first + i) % 3 == 0; });
+            });
+        CHECK(next == count);
+        for (std::size_t i = 0; i < 64; ++i) CHECK((all >> i & 1) == (i < count && i % 3 == 0 ? 1 : 0));
+    }
+}
+
+namespace {
+
+/// Small balls, and rays from one point to places near one of them.
+struct balls_and_rays {
+    std::vector<sphere<float>> balls;
+    detail::assembled<sphere<float>> tree;
+    std::vector<ray<float>> rays;
+
+    explicit balls_and_rays(random_numbers& random) : balls(random_shapes<sphere<float>>(random, 200)) {
+        tree.build(std::tuple(std::span(std::as_const(balls))), {});
+        const vec3<float> from = within<float>(random, 20), to = balls.front().center - from;
+        rays.assign(static_cast<std::size_t>(random.integer(1, static_cast<int>(detail::ray_bundle::most))),
+                    {from, to});
+        for (ray<float>& r : rays) r.direction += within<float>(random, 0.02) * norm1(to);
+    }
+
+    template <class Visit>
+    bool visit(Visit visit) const {
+        return detail::visit_leaves_together(tree, std::span<const ray<float>>(rays), 0.0f, infinity<float>, visit);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("together: each ray is shown all leaves with shapes that it meets, and none that are far from it") {
+    random_numbers random(31);
+    int bundles = 0;
+    std::size_t shown = 0, blocks = 0;
+    for (int i = 0; i < 500; ++i) {
+        const balls_and_rays all(random);
+        const auto& leaves = std::get<0>(all.tree.leaves.all);
+        std::vector<std::vector<bool>> seen(all.rays.size(), std::vector<bool>(leaves.size()));
+        const bool together = all.visit([&](std::size_t ray, auto kind, std::uint32_t block, const auto&) {
+            static_assert(kind() == 0);
+            REQUIRE(!seen.at(ray).at(block));
+            seen[ray][block] = true;
+            ++shown;
+            return infinity<float>;
+        });
+        if (!together) continue;
+        ++bundles, blocks += all.rays.size() * leaves.size();
+        for (std::size_t k = 0; k < all.rays.size(); ++k) {
+            for (std::uint32_t block = 0; block < leaves.size(); ++block) {
+                for (std::uint32_t left = leaves.used(block); left != 0; left &= left - 1) {
+                    const auto lane = static_cast<unsigned>(std::countr_zero(left));
+                    const bool met = leaves.shape(block, lane).occluded(all.rays[k], 0.0f, infinity<float>);
+                    REQUIRE((seen[k][block] || !met));
+                }
+            }
+        }
+    }
+    CHECK(bundles > 100);
+    CHECK(shown < blocks / 4);
+}
+
+TEST_CASE("together: a ray that wants no more is shown no more, the others are") {
+    random_numbers random(32);
+    int bundles = 0, more = 0;
+    for (int i = 0; i < 500; ++i) {
+        const balls_and_rays all(random);
+        std::vector<int> count(all.rays.size(), 0);
+        bundles += all.visit([&](std::size_t ray, auto, std::uint32_t, const auto&) {
+            ++count.at(ray);
+            return ray == 0 ? -infinity<float> : infinity<float>;
+        });
+        CHECK(count[0] <= 1);
+        more += std::ranges::any_of(count, [](int n) { return n > 1; }) ? 1 : 0;
+    }
+    CHECK(bundles > 100);
+    CHECK(more > 100);
+}
+
+TEST_CASE("together: nothing is done for rays of which one runs another way, or nowhere") {
+    random_numbers random(33);
+    balls_and_rays all(random);
+    const vec3<float> from(-20), to = all.balls.front().center - from;  // upwards along each axis
+    const auto visits = [&](const vec3<float>& direction) {
+        int count = 0;
+        const std::vector<ray<float>> rays{{from, to}, {from, direction}};
+        const auto visit = [&](std::size_t, auto, std::uint32_t, const auto&) { return ++count, infinity<float>; };
+        const bool together = detail::visit_leaves_together(all.tree, std::span(rays), 0.0f, infinity<float>, visit);
+        CHECK(together == (count > 0));
+        return count;
+    };
+    CHECK(visits({to.x, to.y * 1.01f, to.z}) > 0);
+    CHECK(visits({to.x, -to.y, to.z}) == 0);
+    CHECK(visits({-to.x, to.y, to.z}) == 0);
+    CHECK(visits({0, 0, 0}) == 0);
+    CHECK(visits({to.x, std::numeric_limits<float>::quiet_NaN(), to.z}) == 0);
+    const auto visit = [](std::size_t, auto, std::uint32_t, const auto&) { return infinity<float>; };
+    const std::span<const ray<float>> one(all.rays.data(), 1);
+    CHECK(!detail::visit_leaves_together(all.tree, one, 2.0f, 1.0f, visit));
+    CHECK(!detail::visit_leaves_together(detail::assembled<sphere<float>>(), one, 0.0f, 1.0f, visit));
+}
+
+}  // namespace raio::test
