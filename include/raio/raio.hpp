@@ -38,4 +38,5 @@
 #include <raio/shape/teardrop.hpp>
 #include <raio/shape/torus.hpp>
 #include <raio/shape/triangle.hpp>
+#include <raio/shape/two_sheet_hyperboloid.hpp>
 #include <raio/shape/watertight_triangle.hpp>

@@ -31,7 +31,7 @@ TESTS = {
     "crossing.hpp": ["crossing", "shape/cylinder", "shape/box"],
     "plane_crossing.hpp": ["plane_crossing", "shape/plane", "shape/disc"],
     "edge_crossing.hpp": ["edge_crossing", "shape/triangle"],
-    "quadric_crossing.hpp": ["quadric_crossing", "shape/cone", "shape/hyperboloid"],
+    "quadric_crossing.hpp": ["quadric_crossing", "shape/cone", "shape/hyperboloid", "shape/two_sheet_hyperboloid"],
     "axial_crossing.hpp": ["shape/cylinder", "shape/frustum", "shape/capsule"],
     "compose/csg.hpp": ["compose/csg"],
     "crossing_list.hpp": ["crossing_list", "shape/torus"],

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <raio/shape/two_sheet_hyperboloid.hpp>
+
 #include "support/revolved.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
 
@@ -102,5 +105,47 @@ template <class T>
 struct subject<two_sheet_hyperboloid<T>> : hyperboloid_subject<two_sheet_hyperboloid<T>> {};
 template <class T>
 struct subject<open_two_sheet_hyperboloid<T>> : hyperboloid_subject<open_two_sheet_hyperboloid<T>> {};
+
+/// The area of the side below a height, by the rule of the middle, of small truncated cones.
+double area_below(const auto& s, double height) {
+    constexpr int steps = 20'000;
+    const vec3<double> axis = converted<double>(s.top) - converted<double>(s.base);
+    const double size = std::sqrt(dot(axis, axis));
+    double area = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double from = height * i / steps, to = height * (i + 1) / steps;
+        const double low = hyperboloid_profile::radius(s, from), high = hyperboloid_profile::radius(s, to);
+        area += std::numbers::pi * (low + high) * std::hypot(high - low, low + high > 0 ? (to - from) * size : 0);
+    }
+    return area;
+}
+
+template <class T>
+void check_area(const auto& open, const auto& closed) {
+    const double side = area_below(open, 1), cap = std::numbers::pi * double(open.end_radius) * double(open.end_radius);
+    CHECK(double(open.area()) == doctest::Approx(side).epsilon(1e-3));
+    CHECK(double(closed.area()) == doctest::Approx(side + 2 * cap).epsilon(1e-3));
+}
+
+/// Of hyperboloids about the z axis, or beside it.
+template <class T>
+void check_samples(const auto& open, const auto& closed) {
+    constexpr int steps = 512;
+    std::vector<double> below(steps + 1);
+    for (int i = 0; i <= steps; ++i) below[std::size_t(i)] = area_below(open, double(i) / steps);
+    const double side = below.back(), cap = std::numbers::pi * double(open.end_radius) * double(open.end_radius);
+    const auto part = [&](T height) {
+        const double at = std::clamp(double(height), 0.0, 1.0) * steps;
+        const auto i = std::min(static_cast<std::size_t>(at), std::size_t{steps - 1});
+        return (below[i] + (below[i + 1] - below[i]) * (at - double(i))) / side;
+    };
+    check_sampling(open, [&](const hit_record<T>& rec) { return vec2<T>(rec.uv.x, T(part(rec.uv.y))); });
+    check_sampling(closed, [&](const hit_record<T>& rec) {
+        const double ring = double(rec.uv.y) * double(rec.uv.y) * cap;
+        const bool on_base = rec.point.z == closed.base.z, on_top = rec.point.z == closed.top.z;
+        const double area = on_base ? side + ring : on_top ? side + cap + ring : part(rec.uv.y) * side;
+        return vec2<T>(rec.uv.x, T(area / (side + 2 * cap)));
+    });
+}
 
 }  // namespace raio::test

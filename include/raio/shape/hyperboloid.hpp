@@ -2,18 +2,20 @@
 
 #include <raio/concepts.hpp>
 #include <raio/crossing_list.hpp>
+#include <raio/math/conic.hpp>
 #include <raio/quadric_crossing.hpp>
+#include <raio/shape/disc.hpp>
 
 /// \file
-/// The hyperboloids of revolution of one sheet and of two sheets, each with caps, a solid, and without.
+/// The hyperboloid of revolution of one sheet, with caps, a solid, and without; and what it has in common with that of
+/// two sheets (two_sheet_hyperboloid.hpp).
 ///
 /// With the height y, -1 at the base and 1 at the top, the side is at the distance rho from the axis,
 ///
-///     rho^2 = waist^2 + (end^2 - waist^2) y^2         of one sheet
-///     rho^2 = end^2 (y^2 - gap^2) / (1 - gap^2)       of two sheets
+///     rho^2 = waist^2 + (end^2 - waist^2) y^2
 ///
-/// which are quadrics of revolution about the middle, for which see quadric_crossing.hpp. They are not convex: a line
-/// that is steeper than the asymptotes may be inside before and after its two crossings with the side.
+/// which is a quadric of revolution about the middle, for which see quadric_crossing.hpp. It is not convex: a line that
+/// is steeper than the asymptotes may be inside before and after its two crossings with the side.
 ///
 /// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
 /// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
@@ -28,21 +30,14 @@ template <class W>
 struct hyperboloid_side {
     W v, c0, c2;
     W radius;  ///< the largest
+    W least;   ///< from here to 1 goes |y|
 };
 
 template <class W, real T>
 RAIO_FN constexpr hyperboloid_side<W> one_sheet(T waist_radius, T end_radius) {
     W waist(waist_radius), end(end_radius);
     return {W(1), waist * waist, W(4) * (end - waist) * (end + waist),
-            select(every(waist_radius > T(0), end_radius > T(0)), max(waist, end), W(0))};
-}
-
-template <class W, real T>
-RAIO_FN constexpr hyperboloid_side<W> two_sheets(T gap, T end_radius) {
-    W g(gap), end(end_radius);
-    const mask_t<T> sound = every(gap > T(0), gap < T(1));
-    W end2 = end * end;
-    return {select(sound, (W(1) - g) * (W(1) + g), W(1)), -(g * g) * end2, W(4) * end2, select(sound, end, W(0))};
+            select(every(waist_radius > T(0), end_radius > T(0)), max(waist, end), W(0)), W(0)};
 }
 
 /// The same, with the axis that it turns about.
@@ -125,6 +120,46 @@ RAIO_FN constexpr void hyperboloid_surface(const vec3<T>& base, const vec3<T>& t
         [&](const vec3<W>& from_axis, const W& height) { return from_axis - axis * (slope * (height - W(0.5))); });
 }
 
+/// From the least |y| to 1 the area of the side is 4 pi times that below this curve: with rho^2 = c + a y^2 and half
+/// the axis H, its element is 2 pi rho sqrt(H^2 + rho'^2) dy, and rho rho' = a y.
+template <std::floating_point T>
+RAIO_FN conic area_of_side(const vec3<T>& base, const vec3<T>& top, const hyperboloid_side<double>& side) {
+    const vec3<double> axis = vec3<double>(top) - vec3<double>(base);
+    const double half2 = dot(axis, axis) / 4, a = side.c2 / (4 * side.v);
+    return {side.c0 / side.v * half2, a * (half2 + a)};
+}
+template <std::floating_point T>
+RAIO_FN T hyperboloid_area(const vec3<T>& base, const vec3<T>& top, const hyperboloid_side<double>& side) {
+    return side.radius > 0 ? T(4 * pi<double> * area_of_side(base, top, side).area(side.least, 1)) : T(0);
+}
+
+/// The point of the side that `u` chooses: u.x turns about the axis, u.y is the area between the base and the point.
+template <std::floating_point T>
+RAIO_FN surface_sample<T> sample_hyperboloid(const vec3<T>& base, const vec3<T>& top,
+                                             const hyperboloid_side<double>& side, const vec2<T>& u) {
+    const double from_middle = 2 * double(u.y) - 1;
+    const double y = copysign(area_of_side(base, top, side).place(side.least, 1, abs(from_middle)), from_middle);
+    const T rho = T(std::sqrt(std::max(side.c0 + side.c2 * y * y / 4, 0.0) / side.v)), phi = T(2 * pi<T>) * u.x;
+    const vec3<T> axis = top - base;
+    const T size = length(axis), along = T(side.c2 * y / (2 * side.v)) / size;
+    const frame<T> f = frame_about(axis / size);
+    vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
+    return {base + axis * T(0.5 + 0.5 * y) + outwards * rho, normalize(outwards * rho - f.z * along)};
+}
+
+/// The same with caps of this radius: u.x chooses among the side, the base and the top, and what is left of it is the
+/// angle.
+template <std::floating_point T>
+RAIO_FN surface_sample<T> sample_capped(const vec3<T>& base, const vec3<T>& top, T radius,
+                                        const hyperboloid_side<double>& side, const vec2<T>& u) {
+    const T of_side = hyperboloid_area(base, top, side), of_cap = T(pi<T>) * radius * radius;
+    const T left = u.x * (of_side + T(2) * of_cap);
+    if (left < of_side) return sample_hyperboloid(base, top, side, {left / of_side, u.y});
+    const T turn = (left - of_side) / of_cap;
+    if (turn < T(1)) return disc<T>{base, base - top, radius}.sample({turn, u.y});
+    return disc<T>{top, top - base, radius}.sample({turn - T(1), u.y});
+}
+
 }  // namespace detail
 
 /// The points inside a hyperboloid of one sheet, between its two ends: closed, a solid. With an end radius below the
@@ -148,6 +183,16 @@ struct hyperboloid {
 
     RAIO_FN constexpr aabb<T> bounds() const {
         return detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius)));
+    }
+
+    RAIO_FN T area() const requires(std::floating_point<T>) {
+        return detail::hyperboloid_area(base, top, detail::one_sheet<double>(waist_radius, end_radius)) +
+               T(2 * pi<T>) * end_radius * end_radius;
+    }
+
+    /// u.x chooses among the side, the base and the top, and what is left of it is the angle.
+    RAIO_FN surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
+        return detail::sample_capped(base, top, end_radius, detail::one_sheet<double>(waist_radius, end_radius), u);
     }
 
     template <class W, real R>
@@ -186,6 +231,15 @@ struct open_hyperboloid {
         return detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius)));
     }
 
+    RAIO_FN T area() const requires(std::floating_point<T>) {
+        return detail::hyperboloid_area(base, top, detail::one_sheet<double>(waist_radius, end_radius));
+    }
+
+    /// u.x turns about the axis, u.y is the area between the base and the point.
+    RAIO_FN surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
+        return detail::sample_hyperboloid(base, top, detail::one_sheet<double>(waist_radius, end_radius), u);
+    }
+
     template <class W, real R>
     RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
         return detail::cross_side(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
@@ -199,78 +253,6 @@ struct open_hyperboloid {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::hyperboloid_surface(base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius), ray, c, rec);
-    }
-};
-
-/// The points inside both sheets of a hyperboloid, up to its two ends: closed, a solid in two parts.
-template <real T>
-struct two_sheet_hyperboloid {
-    using number = T;
-
-    vec3<T> base, top;  ///< the centres of the two caps
-    T gap;              ///< between the two vertices, of the axis: between 0 and 1
-    T end_radius;       ///< at both ends, positive
-
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
-        return first_hit(*this, ray, t_min, t_max, rec);
-    }
-
-    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return any_hit(*this, ray, t_min, t_max);
-    }
-
-    RAIO_FN constexpr raio::spans<T, 2> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
-
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(end_radius)); }
-
-    template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
-        return detail::cross_capped(base, top, detail::two_sheets<W>(gap, end_radius), ray);
-    }
-
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_hyperboloid(base, top, detail::two_sheets<X>(gap, end_radius), ray, c);
-    }
-
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::hyperboloid_surface(base, top, end_radius, detail::two_sheets<W>(gap, end_radius), ray, c, rec);
-    }
-};
-
-/// Both sheets of a hyperboloid up to their rims, seen from both sides.
-template <real T>
-struct open_two_sheet_hyperboloid {
-    using number = T;
-
-    vec3<T> base, top;  ///< the centres of the two rims, which belong to it
-    T gap;              ///< between the two vertices, of the axis: between 0 and 1
-    T end_radius;       ///< at both ends, positive
-
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
-        return first_hit(*this, ray, t_min, t_max, rec);
-    }
-
-    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return any_hit(*this, ray, t_min, t_max);
-    }
-
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(end_radius)); }
-
-    template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
-        return detail::cross_side(base, top, detail::two_sheets<W>(gap, end_radius), ray);
-    }
-
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_hyperboloid(base, top, detail::two_sheets<X>(gap, end_radius), ray, c);
-    }
-
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::hyperboloid_surface(base, top, end_radius, detail::two_sheets<W>(gap, end_radius), ray, c, rec);
     }
 };
 
