@@ -37,7 +37,7 @@ struct who_is_what {
     static_assert(bounded<open_paraboloid<T>> && !solid<open_paraboloid<T>> && sampleable<open_paraboloid<T>>);
     static_assert(bounded<hyperboloid<T>> && solid<hyperboloid<T>> && !solid<open_hyperboloid<T>>);
     static_assert(bounded<two_sheet_hyperboloid<T>> && solid<two_sheet_hyperboloid<T>>);
-    static_assert(sampleable<hyperboloid<T>> && sampleable<open_hyperboloid<T>>);
+    static_assert(sampleable<hyperboloid<T>> && sampleable<open_hyperboloid<T>> && sampleable<convex_polyhedron<T>>);
     static_assert(sampleable<two_sheet_hyperboloid<T>> && sampleable<open_two_sheet_hyperboloid<T>>);
     static_assert(bounded<open_two_sheet_hyperboloid<T>> && !solid<open_two_sheet_hyperboloid<T>>);
     static_assert(primitive<ellipsoid<T>> && bounded<ellipsoid<T>> && solid<ellipsoid<T>>);

@@ -2,6 +2,7 @@
 
 #include "support/cases.hpp"
 #include "support/polyhedra.hpp"
+#include "support/sampling.hpp"
 
 namespace raio::test {
 
@@ -77,6 +78,23 @@ TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many 
         CHECK(area({{{x, T(0.2), T(-0.3)}, -x}}) == infinity<T>);
     }
     CHECK(area({}) == T(0));
+}
+
+TEST_CASE_TEMPLATE("convex_polyhedron: samples are spread evenly over the area", T, RAIO_NUMBERS) {
+    // The corner of a cube, cut off.
+    const convex_polyhedron<T> corner{{{{-1, 0, 0}, 0}, {{0, -1, 0}, 0}, {{0, 0, -1}, 0}, {{1, 1, 1}, -1}}};
+    const T slanted = std::sqrt(T(3)) / 2, all = T(1.5) + slanted;
+    CHECK(corner.area() == doctest::Approx(all));
+    check_sampling(corner, [&](const hit_record<T>& rec) {
+        const vec3<T>& p = rec.point;
+        const auto in_triangle = [&](T before, T area, T a, T b) {
+            return vec2<T>((before + area * (a + b) * (a + b)) / all, b / (a + b));
+        };
+        if (rec.normal.x == T(-1)) return in_triangle(0, T(0.5), p.y, p.z);
+        if (rec.normal.y == T(-1)) return in_triangle(T(0.5), T(0.5), p.x, p.z);
+        if (rec.normal.z == T(-1)) return in_triangle(1, T(0.5), p.x, p.y);
+        return in_triangle(T(1.5), slanted, p.x, p.y);
+    });
 }
 
 TEST_CASE_TEMPLATE("convex_polyhedron: a face across an axis has one coordinate, and no rounding moves points off", T,

@@ -7,6 +7,7 @@
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
 #include <raio/plane_crossing.hpp>
+#include <raio/surface_sample.hpp>
 
 namespace raio {
 
@@ -64,11 +65,27 @@ struct convex_polyhedron {
 
     /// Infinite for a polyhedron without end.
     RAIO_FN constexpr T area() const requires(std::same_as<mask_t<T>, bool>) {
-        exact_t<T> total(0);
-        for (std::size_t i = 0; i < std::size(planes); ++i) {
-            if (!repeats_an_earlier_plane(i)) total += face_area(i);
-        }
-        return T(total);
+        exact total(0);
+        const bool ends = for_each_triangle([&](const face_triangle& part) { total += part.area; });
+        return ends ? T(total) : infinity<T>;
+    }
+
+    /// Of one that has an end, and takes as long as `area`. The triangles that its faces are made of stand side by side
+    /// along u.x, the last one first; what is left of it within one, and u.y, choose the point.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::same_as<mask_t<T>, bool>) {
+        exact total(0), left(u.x), one(1);
+        face_triangle chosen{};
+        for_each_triangle([&](const face_triangle& part) {
+            if (!(part.area > exact(0))) return;
+            total += part.area;
+            const exact share = part.area / total;
+            const bool here = left < share;
+            left = here ? left / share : (left - share) / (one - share);
+            if (here) chosen = part;
+        });
+        const auto& [a, b, c, area, normal] = chosen;
+        const vec3<exact> across = (b - a) * (one - exact(u.y)) + (c - a) * exact(u.y);
+        return {vec3<T>(a + across * sqrt(min(left, one))), normalize(normal)};
     }
 
     template <class W, real R>
@@ -205,16 +222,24 @@ private:
         return true;
     }
 
-    /// The triangles between the edges of face i and the first corner that is met.
-    RAIO_FN constexpr exact face_area(std::size_t i) const {
-        exact sum(0);
+    /// A part of a face, whose normal it has.
+    struct face_triangle {
+        vec3<exact> a, b, c;
+        exact area;
+        vec3<T> normal;
+    };
+
+    /// Calls `visit` with the triangles between the edges of face i and the first corner that is met. Answers whether
+    /// the face has an end.
+    template <class Visit>
+    RAIO_FN constexpr bool for_each_triangle_of(std::size_t i, Visit visit) const {
         bool started = false;
         vec3<exact> corner(exact(0));
         for (std::size_t j = 0; j < std::size(planes); ++j) {
             if (j == i) continue;
             const auto [point, direction, s] = edge(i, j);
             if (s.empty()) continue;
-            if (!is_finite(s.min) || !is_finite(s.max)) return infinity<exact>;
+            if (!is_finite(s.min) || !is_finite(s.max)) return false;
             const vec3<exact> from = point + direction * s.min, to = point + direction * s.max;
             bool seen = false;  // an edge that more than two planes go through counts once
             for (std::size_t k = 0; k < j; ++k) {
@@ -224,9 +249,17 @@ private:
             if (!started) corner = from;
             started = true;
             const vec3<exact> twice_area = cross(from - corner, to - corner);
-            sum += sqrt(dot(twice_area, twice_area)) / exact(2);
+            visit(face_triangle{corner, from, to, sqrt(dot(twice_area, twice_area)) / exact(2), planes[i].normal});
         }
-        return is_face_without_end(i) ? infinity<exact> : sum;
+        return !is_face_without_end(i);
+    }
+    template <class Visit>
+    RAIO_FN constexpr bool for_each_triangle(Visit visit) const {
+        bool ends = true;
+        for (std::size_t i = 0; i < std::size(planes); ++i) {
+            if (!repeats_an_earlier_plane(i)) ends = for_each_triangle_of(i, visit) && ends;
+        }
+        return ends;
     }
 
     /// The part of a line that is behind one plane: from its crossing on, up to it, or all or nothing if it runs
