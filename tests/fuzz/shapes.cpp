@@ -26,6 +26,10 @@ void check(bool holds, const std::string& what = "") {
 
 enum class number_kind { bits, eighths_and_hard, eighths };
 
+/// What shapes are made of.
+enum class field { point, number };
+using enum field;
+
 /// The bytes, taken for numbers of T one after the other. Behind the end there are only zeros.
 template <class T>
 class numbers {
@@ -45,6 +49,14 @@ public:
     vec3<T> point() {
         const T x = number(), y = number();
         return {x, y, number()};
+    }
+    template <field Field>
+    auto next() {
+        if constexpr (Field == field::point) {
+            return point();
+        } else {
+            return number();
+        }
     }
     number_kind kind() const { return kind_; }
     /// One of 0, 1, ..., most.
@@ -121,96 +133,44 @@ std::array<vec3<T>, 4> corners(numbers<T>& n) {
     return {a, b, c, n.point()};
 }
 
-/// Every shape, and every way to put shapes together. Braces read their numbers in order.
+/// Asks a shape that is made of such fields, in their order.
+template <class Shape, field... Fields>
+void ask_made_of(numbers<number_t<Shape>>& n) {
+    ask(n, Shape{n.template next<Fields>()...});  // braces read their numbers in order
+}
+
+/// Every shape, and every way to put shapes together. The corpus counts on their order.
 template <class T>
 constexpr void (*questions[])(numbers<T>&) = {
-    [](numbers<T>& n) {
-        ask(n, sphere<T>{n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, ellipsoid<T>{n.point(), n.point()});
-    },
-    [](numbers<T>& n) {
-        ask(n, plane<T>{n.point(), n.point()});
-    },
-    [](numbers<T>& n) {
-        ask(n, disc<T>{n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, ring<T>{n.point(), n.point(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, parallelogram<T>{n.point(), n.point(), n.point()});
-    },
-    [](numbers<T>& n) {
-        ask(n, bilinear_patch<T>{n.point(), n.point(), n.point(), n.point()});
-    },
-    [](numbers<T>& n) {
-        ask(n, triangle<T>{n.point(), n.point(), n.point()});
-    },
-    [](numbers<T>& n) {
-        ask(n, watertight_triangle<T>{n.point(), n.point(), n.point()});
-    },
-    [](numbers<T>& n) {
-        ask(n, box<T>{n.point(), n.point()});
-    },
-    [](numbers<T>& n) {
-        ask(n, cylinder<T>{n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, open_cylinder<T>{n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, capsule<T>{n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, round_cone<T>{n.point(), n.point(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, cone<T>{n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, open_cone<T>{n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, frustum<T>{n.point(), n.point(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, open_frustum<T>{n.point(), n.point(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, paraboloid<T>{n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, open_paraboloid<T>{n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, hyperboloid<T>{n.point(), n.point(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, open_hyperboloid<T>{n.point(), n.point(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, two_sheet_hyperboloid<T>{n.point(), n.point(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, open_two_sheet_hyperboloid<T>{n.point(), n.point(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, quadric<T>{n.point(), n.point(), n.point(), n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, open_quadric<T>{n.point(), n.point(), n.point(), n.point(), n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, torus<T>{n.point(), n.point(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, steiner<T>{n.point(), n.number()});
-    },
-    [](numbers<T>& n) {
-        ask(n, teardrop<T>{n.point(), n.point(), n.number()});
-    },
+    ask_made_of<sphere<T>, point, number>,
+    ask_made_of<ellipsoid<T>, point, point>,
+    ask_made_of<plane<T>, point, point>,
+    ask_made_of<disc<T>, point, point, number>,
+    ask_made_of<ring<T>, point, point, number, number>,
+    ask_made_of<parallelogram<T>, point, point, point>,
+    ask_made_of<bilinear_patch<T>, point, point, point, point>,
+    ask_made_of<triangle<T>, point, point, point>,
+    ask_made_of<watertight_triangle<T>, point, point, point>,
+    ask_made_of<box<T>, point, point>,
+    ask_made_of<cylinder<T>, point, point, number>,
+    ask_made_of<open_cylinder<T>, point, point, number>,
+    ask_made_of<capsule<T>, point, point, number>,
+    ask_made_of<round_cone<T>, point, point, number, number>,
+    ask_made_of<cone<T>, point, point, number>,
+    ask_made_of<open_cone<T>, point, point, number>,
+    ask_made_of<frustum<T>, point, point, number, number>,
+    ask_made_of<open_frustum<T>, point, point, number, number>,
+    ask_made_of<paraboloid<T>, point, point, number>,
+    ask_made_of<open_paraboloid<T>, point, point, number>,
+    ask_made_of<hyperboloid<T>, point, point, number, number>,
+    ask_made_of<open_hyperboloid<T>, point, point, number, number>,
+    ask_made_of<two_sheet_hyperboloid<T>, point, point, number, number>,
+    ask_made_of<open_two_sheet_hyperboloid<T>, point, point, number, number>,
+    ask_made_of<quadric<T>, point, point, point, point, point, number>,
+    ask_made_of<open_quadric<T>, point, point, point, point, point, number>,
+    ask_made_of<torus<T>, point, point, number, number>,
+    ask_made_of<steiner<T>, point, number>,
+    ask_made_of<teardrop<T>, point, point, number>,
     [](numbers<T>& n) {
         algebraic<T, 4> some{n.point(), n.point(), {}};
         for (unsigned left = n.count(6); left > 0; --left) {
