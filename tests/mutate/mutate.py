@@ -43,7 +43,8 @@ OF_THEIR_NAME = ["math/interval.hpp", "math/double_double.hpp", "math/polynomial
                  "shape/sphere.hpp", "shape/plane.hpp", "shape/disc.hpp", "shape/ring.hpp", "shape/triangle.hpp",
                  "shape/parallelogram.hpp", "shape/convex_polyhedron.hpp", "shape/watertight_triangle.hpp", "shape/box.hpp",
                  "shape/cylinder.hpp", "shape/torus.hpp", "bvh/assemble.hpp", "bvh/hit_list.hpp", "bvh/leaf.hpp",
-                 "bvh/leaf_kinds.hpp", "bvh/nearest.hpp", "bvh/ray_bundle.hpp", "bvh/traverse.hpp", "bvh/wide_node.hpp"]
+                 "bvh/leaf_kinds.hpp", "bvh/nearest.hpp", "bvh/ray_bundle.hpp", "bvh/together.hpp", "bvh/traverse.hpp", "bvh/wide_node.hpp",
+                 "math/conic.hpp"]
 TESTS.update({header: [header.removesuffix(".hpp")] for header in OF_THEIR_NAME})
 
 # What is written, and what it becomes. A space on both sides tells an operator from a template's brackets and from a sign.
