@@ -27,7 +27,7 @@ ACCEPTED = pathlib.Path(__file__).with_name("accepted.txt")
 # Which tests answer for a header that has no test of its own name.
 TESTS = {
     "settle.hpp": ["shape/sphere"],
-    "sphere_crossing.hpp": ["shape/sphere"],
+    "sphere_crossing.hpp": ["shape/sphere", "simd/shapes"],
     "crossing.hpp": ["crossing", "shape/cylinder", "shape/box"],
     "plane_crossing.hpp": ["plane_crossing", "shape/plane", "shape/disc"],
     "edge_crossing.hpp": ["edge_crossing", "shape/triangle"],
