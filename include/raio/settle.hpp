@@ -43,7 +43,7 @@ enum class question { whether, where, only_where };
 
 /// The crossings of a shape; of one that has to search for them only what the question wants to know.
 template <class W, question Asked, class Shape, real R, real T>
-RAIO_FN constexpr auto crossings_for(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
+RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
     if constexpr (requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
         return shape.template crossings<W>(ray, first_from<T>{t_min, t_max, Asked == question::whether});
     } else {
@@ -144,7 +144,7 @@ template <real T, class Shape, real R, class Then>
 
 /// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
 template <question Asked, real T, class Shape, real R, class Then>
-RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
+RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T, R>) {
         keep_as_stored<T>(shape, ray);
         auto quick = crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max);
@@ -170,7 +170,7 @@ RAIO_FN constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_mi
 /// `occluded` of every shape that has `crossings<W>(ray)`, a crossing or a chord: is there one with t in [t_min,
 /// t_max]?
 template <real T, class Shape, real R>
-RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
+[[gnu::flatten]] RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
     return detail::settle<detail::question::whether>(shape, ray, t_min, t_max,
                                                      [](const auto& crossing) { return crossing.exists; });
 }
@@ -178,7 +178,8 @@ RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_m
 /// `hit` of every shape that has also `surface(ray, crossing, rec)`: the same crossing, and what to record of it.
 /// \tparam Asked  `only_where` if there is one beyond doubt
 template <detail::question Asked = detail::question::where, real T, class Shape, real R, real N>
-RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) {
+[[gnu::flatten]] RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
+                                                       hit_record<T, N>& rec) {
     return detail::settle<Asked>(shape, ray, t_min, t_max, [&](const auto& crossing) {
         if constexpr (std::same_as<mask_t<T>, bool>) {
             if (crossing.exists) shape.surface(ray, crossing, rec);

@@ -284,7 +284,7 @@ private:
                 value = value * t + p_.coefficient[k];
             }
             ends[(value > W(0)) == (to.sign > 0) ? 1 : 0] = t;
-            E height(value), off = quotient(height * slope, slope * slope - height * bend, infinity<E>);
+            E height(value), off = quotient(height * slope, slope * slope - height * bend, E(infinity<E>));
             W next = t - W(off);
             E last_step = step;
             step = abs(off);
@@ -335,10 +335,11 @@ private:
 }  // namespace detail
 
 /// The roots in [low, high], which has to be finite. One that is on an end may be found or not, and is not certain.
-/// None, and that not certain, for a polynomial that is not finite.
+/// None, and that not certain, for a polynomial that is not finite. Out of line: it is more than what calls it.
 template <real W, std::size_t N>
-RAIO_FN constexpr polynomial_roots<W, N> roots_between(const polynomial<W, N>& p, const W& low, const W& high,
-                                                       const wanted_roots<W>& wanted = {}) {
+[[gnu::noinline]] RAIO_FN constexpr polynomial_roots<W, N> roots_between(const polynomial<W, N>& p, const W& low,
+                                                                         const W& high,
+                                                                         const wanted_roots<W>& wanted = {}) {
     using E = bound_t<W>;
     const detail::root_finder<W, N> finder(p, low, high);
     if (!finder.is_sound()) return {.certain = false};

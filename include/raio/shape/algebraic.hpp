@@ -68,7 +68,8 @@ struct algebraic {
     }
 
     template <class W, real R, class Wanted = every_crossing>
-    RAIO_FN constexpr crossings_of_degree<W, Degree> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
+    RAIO_FORMULA constexpr crossings_of_degree<W, Degree> crossings(const ray<R>& ray,
+                                                                    const Wanted& wanted = {}) const {
         crossings_of_degree<W, Degree> list;
         chord<W> clip = box<T>{min, max}.template crossings<W>(ray);
         list.certain = clip.near.certain;

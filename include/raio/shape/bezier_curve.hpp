@@ -51,7 +51,7 @@ struct bezier_curve {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, 14> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing_list<W, 14> crossings(const ray<R>& ray) const {
         const aabb<T> box = around_controls();
         vec3<W> low(box.min), high(box.max);
         const W size = length(high - low) * W(0.5);

@@ -43,7 +43,7 @@ struct bilinear_patch {
     RAIO_FN constexpr aabb<T> bounds() const { return padded(corners()); }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, 2> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing_list<W, 2> crossings(const ray<R>& ray) const {
         const std::size_t i = edge_without_length();
         if (i == 4) return cross_moving_line<W>(ray);
         const std::array<vec3<T>, 4> around = corners_in_order();

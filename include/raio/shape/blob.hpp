@@ -73,7 +73,8 @@ struct blob {
     }
 
     template <class W, real R, class Wanted = every_crossing>
-    RAIO_FN constexpr crossing_list<W, most_crossings> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
+    RAIO_FORMULA constexpr crossing_list<W, most_crossings> crossings(const ray<R>& ray,
+                                                                      const Wanted& wanted = {}) const {
         crossing_list<W, most_crossings> list;
         const aabb<T> box = bounds();
         if (!is_sound() || !(box.min.x < box.max.x)) return list;

@@ -52,7 +52,7 @@ struct box {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
         // Where the line enters and leaves the slab across one axis.
         const auto slab = [](R origin, R direction, T low, T high) {

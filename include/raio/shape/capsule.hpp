@@ -44,7 +44,7 @@ struct capsule {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = detail::cross_endless_cylinder<W>(base, top, radius, ray);
         if (missed(c)) return c;
         c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));

@@ -41,7 +41,7 @@ struct cone {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         return as_frustum().template crossings<W>(ray);
     }
 
@@ -84,7 +84,7 @@ struct open_cone {
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_frustum().sample(u); }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         return as_frustum().template crossings<W>(ray);
     }
 

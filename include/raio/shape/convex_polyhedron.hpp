@@ -89,7 +89,7 @@ struct convex_polyhedron {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         vec3<W> origin(ray.origin), direction(ray.direction);
         chord<W> c = everywhere<W>();
         index_t<W> face{};

@@ -142,7 +142,7 @@ struct cylinder {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = detail::cross_endless_cylinder<W>(base, top, radius, ray);
         if (missed(c)) return c;
         c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
@@ -193,7 +193,7 @@ struct open_cylinder {
 
     /// Either crossing counts on its own, if it lies between the two planes.
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);
         if (missed(endless)) return endless;
         chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);

@@ -30,7 +30,7 @@ struct disc {
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_ring().sample(u); }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
         auto [c, distance2, distance2_error] = cross_plane_about<W>(center, normal, ray);
         W r2 = W(radius) * W(radius), inner = r2 - distance2;

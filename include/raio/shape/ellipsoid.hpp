@@ -35,7 +35,7 @@ struct ellipsoid {
     RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{center - radii, center + radii}); }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         vec3<W> stretch = to_sphere<W>(), to_center = difference_as<W>(center, ray.origin);
         chord<W> c = cross_sphere<2>(stretch * to_center, stretch * vec3<W>(ray.direction), W(radii.x) * stretch.x);
         const mask_t<T> sound = every(radii.x > T(0), radii.y > T(0), radii.z > T(0));

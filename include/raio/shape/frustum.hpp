@@ -168,7 +168,7 @@ struct frustum {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = detail::cross_nappe<W>(base, top, radii(), ray);
         if (missed(c)) return c;
         c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
@@ -217,7 +217,7 @@ struct open_frustum {
 
     /// Either crossing counts on its own, if it lies between the two planes.
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = detail::cross_nappe<W>(base, top, radii(), ray);
         if (missed(c)) return c;
         chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);

@@ -196,7 +196,7 @@ struct hyperboloid {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
         return detail::cross_capped(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
     }
 
@@ -241,7 +241,7 @@ struct open_hyperboloid {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         return detail::cross_side(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
     }
 

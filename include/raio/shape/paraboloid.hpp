@@ -128,7 +128,7 @@ struct paraboloid {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
         if (missed(c)) return c;
         c = intersect(c, detail::cross_upper_plane<W>(vertex, top, ray));
@@ -174,7 +174,7 @@ struct open_paraboloid {
 
     /// Either crossing counts on its own, if it lies below the rim.
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
         if (missed(c)) return c;
         chord<W> slab = detail::cross_upper_plane<W>(vertex, top, ray);

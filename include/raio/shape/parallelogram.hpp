@@ -38,7 +38,7 @@ struct parallelogram {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
         auto [at, size, u, v, size_error, u_error, v_error] =
             cross_edges(vec3<W>(corner), vec3<W>(edge_u), vec3<W>(edge_v), ray);
         W to_u = size - u, to_v = size - v;  // from the edges opposite

@@ -33,7 +33,7 @@ struct plane {
     RAIO_FN constexpr aabb<T> bounds() const { return unbounded<T>(); }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
         vec3<W> n(normal);
         auto height = height_above<W>(n, point, ray.origin);
         crossing<W> c = cross_plane(n, vec3<W>(ray.direction), height.value, height.error);

@@ -62,7 +62,7 @@ struct quadric {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr crossings_of_degree<W, 2> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossings_of_degree<W, 2> crossings(const ray<R>& ray) const {
         return terms().template crossings<W>(ray);
     }
 

@@ -69,7 +69,7 @@ struct ring {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
         return detail::between_rims(cross_plane_about<W>(center, normal, ray), inner_radius, outer_radius);
     }
 

@@ -62,7 +62,7 @@ struct round_cone {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         chord<W> c = detail::with_round_ends(cross_side<W>(ray), low_end(), high_end(), ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         vec3<W> axis = difference_as<W>(top, base);

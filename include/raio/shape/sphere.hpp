@@ -43,7 +43,7 @@ struct sphere {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         return cross_sphere<1>(difference_as<W>(center, ray.origin), vec3<W>(ray.direction), W(radius));
     }
 

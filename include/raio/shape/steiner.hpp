@@ -41,7 +41,7 @@ struct steiner {
     }
 
     template <class W, real R, class Wanted = every_crossing>
-    RAIO_FN constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
+    RAIO_FORMULA constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         using E = bound_t<W>;
         // The lobes reach as far as their tips at size / 3 (1, 1, 1), which are 0.58 away, and as the cube's faces.
         const auto part = part_near(ray, center, vec3<W>(center), W(size) * W(0.5859375));

@@ -24,7 +24,7 @@ struct revolved_segment {
     vec2<T> from, to;  ///< (radius, height)
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
         vec3<W> a(axis), d(ray.direction), origin = difference_as<W>(ray.origin, base);
         const auto seen_from = [&](const T& height) {
@@ -129,7 +129,7 @@ struct revolved_curve {
     vec2<T> p0, p1, p2, p3;  ///< control points, (radius, height)
 
     template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, 12> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing_list<W, 12> crossings(const ray<R>& ray) const {
         crossing_list<W, 12> list;
         const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x)), least = min(min(p0.x, p1.x), min(p2.x, p3.x));
         const T low = min(min(p0.y, p1.y), min(p2.y, p3.y)), high = max(max(p0.y, p1.y), max(p2.y, p3.y));

@@ -45,7 +45,7 @@ struct teardrop {
     }
 
     template <class W, real R, class Wanted = every_crossing>
-    RAIO_FN constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
+    RAIO_FORMULA constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         vec3<W> low(bottom), axis = vec3<W>(tip) - low;
         W r(radius), axis2 = dot(axis, axis);
         const bool sound = radius > T(0) && axis2 >= W(least_normal<W>) && r * r >= W(least_normal<W>);

@@ -70,7 +70,7 @@ struct torus {
     }
 
     template <class W, real R, class Wanted = every_crossing>
-    RAIO_FN constexpr crossing_list<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
+    RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         using E = bound_t<W>;
         constexpr double u = unit_roundoff<W>, least = least_normal<W>;
         crossing_list<W, 4> list;

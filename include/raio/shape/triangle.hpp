@@ -40,7 +40,7 @@ struct triangle {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
         vec3<W> corner(a), e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner;
         auto [at, size, u, v, size_error, u_error, v_error] = cross_edges(corner, e1, e2, ray);
         W w = size - (u + v);

@@ -57,7 +57,7 @@ struct two_sheet_hyperboloid {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
         return detail::cross_capped(base, top, detail::two_sheets<W>(gap, end_radius), ray);
     }
 
@@ -101,7 +101,7 @@ struct open_two_sheet_hyperboloid {
     }
 
     template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         return detail::cross_side(base, top, detail::two_sheets<W>(gap, end_radius), ray);
     }
 

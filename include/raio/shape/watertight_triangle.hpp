@@ -34,7 +34,7 @@ struct watertight_triangle {
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_triangle().sample(u); }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing<W> crossings(const ray<R>& ray) const {
+    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
         // A rotation of the coordinates that makes the largest component of the direction the last one.
         const auto turned = [&](const auto& v) {
             const R x = abs(ray.direction.x), y = abs(ray.direction.y), z = abs(ray.direction.z);
