@@ -165,6 +165,20 @@ TEST_CASE("polynomial: a clear sign between two roots is no end of the place whe
     }
 }
 
+TEST_CASE("polynomial: a turn that is hardly known is as high as it may be") {
+    // Of a Bezier curve and a ray, see bezier_curve.hpp. Between the two roots it is no lower than -1.3e-4.
+    const polynomial<strict_double, 10> p{{0x1.be7f41f36ed5fp+5, -0x1.ec39e74815d58p+8, 0x1.40b8d37a2209p+11,
+                                           -0x1.293501bbab4fap+13, 0x1.966f850515f46p+14, -0x1.a6d4ad4e2a08fp+15,
+                                           0x1.4c3d414cf8ec7p+16, -0x1.75ace16e20c64p+16, 0x1.14b1456790f84p+16,
+                                           -0x1.db981532d38c8p+14, 0x1.6481ef97898e1p+12}};
+    for (const double low : {0x1.c38ef68cd0512p-1, 0x1.c38ef68cd05dp-1, 0.88, 0.9}) {
+        const auto found = roots_between(p, strict_double(low), strict_double(1));
+        REQUIRE((found.certain && found.count == 2));
+        CHECK(static_cast<double>(found.places[0].t) == doctest::Approx(0.9631995).epsilon(1e-6));
+        CHECK(static_cast<double>(found.places[1].t) == doctest::Approx(0.9699381).epsilon(1e-6));
+    }
+}
+
 TEST_CASE_TEMPLATE("polynomial: only the first root beyond a place", W, strict_double, double_double, oracle) {
     using E = bound_t<W>;
     const auto p = with_roots<W, 4>(1, {-3, -1, 2, 7});

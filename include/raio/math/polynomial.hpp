@@ -137,7 +137,8 @@ public:
     /// \param tolerance  of Newton's last step, relative to t: its square is left
     /// \param between    the same for the roots of the derivatives, which need only be told from those of the
     /// polynomial
-    template <class Take>
+    /// \tparam Turns  are the roots another polynomial's turns, of which also `height` is needed?
+    template <bool Turns = false, class Take>
     RAIO_FN constexpr bool find(const E& tolerance, const E& between, Take take) const {
         if constexpr (N == 2) {
             pair_of_roots two;
@@ -149,16 +150,17 @@ public:
                 return true;
             }
         }
-        sample before{low_, E(0), 0}, first = before, last = before;  // with a sign; the first and the last without one
+        sample before{low_, E(0), 0, E(0)}, first = before, last = before;  // with a sign; first and last without one
         bool is_open = false;
+        E highest(0);  // of those without
         const auto take_extremum = [&](const sample& after) {
             return take({first.t, last.t, before.sign, after.sign, false},
-                        [&] { return extremum(before, first, last, after); });
+                        [&] { return extremum(before, first, last, after, highest); });
         };
         const auto reach = [&](const sample& next) {
             if (next.sign == 0) {
-                if (!is_open) first = next;
-                last = next, is_open = true;
+                if (!is_open) first = next, highest = E(0);
+                last = next, is_open = true, highest = max(highest, next.height);
                 return true;
             }
             bool goes_on = true;
@@ -174,7 +176,7 @@ public:
         if (!reach(sample_at(low_, E(0), E(0)))) return false;
         if constexpr (N > 1) {
             const auto turn = [&](const enclosure<W>& about, auto approached) {
-                if (about.is_one && about.low < about.high && !is_open) {
+                if (!Turns && about.is_one && about.low < about.high && !is_open) {
                     // If the sign has changed here, the turn itself need not be found: there is one root so far, and
                     // from here on to the next turn there is one or none, as the signs say.
                     const sample nearly = sample_at(about.low + (about.high - about.low) * W(0.5), E(0), E(0));
@@ -183,9 +185,9 @@ public:
                 const polynomial_root<W> at = approached();
                 return reach(sample_at(at.t, at.error, at.height));
             };
-            if (!root_finder<W, N - 1>(*this).find(between, between, turn)) return false;
+            if (!root_finder<W, N - 1>(*this).template find<true>(between, between, turn)) return false;
         }
-        return reach(sample_at(high_, E(0), E(0))) && (!is_open || take_extremum({high_, E(0), 0}));
+        return reach(sample_at(high_, E(0), E(0))) && (!is_open || take_extremum({high_, E(0), 0, E(0)}));
     }
 
 private:
@@ -202,6 +204,7 @@ private:
         W t;
         E reach;   ///< how far the extremum that is meant may be from t
         int sign;  ///< 0 if rounding errors leave it open
+        E height;  ///< bound of the extremum's magnitude
     };
 
     RAIO_FN static constexpr int sign_beyond(const W& value, const E& error) {
@@ -218,7 +221,9 @@ private:
 
     /// \param slope  bound of the derivative's magnitude within `reach` of t
     RAIO_FN constexpr sample sample_at(const W& t, const E& reach, const E& slope) const {
-        return {t, reach, sign_beyond(p_(t), noise_(E(abs(t)) + reach) + reach * slope)};
+        W value = p_(t);
+        E error = noise_(E(abs(t)) + reach) + reach * slope;
+        return {t, reach, sign_beyond(value, error), E(abs(value)) + error};
     }
 
     /// The closed form of degree 2 loses no root where the sign of its discriminant is not in doubt. False if it is, or
@@ -311,8 +316,9 @@ private:
     }
 
     /// The root, or the roots, or none, about neighbouring samples that cannot be told from zero.
+    /// \param highest  bound of these samples' magnitudes
     RAIO_FN constexpr polynomial_root<W> extremum(const sample& before, const sample& first, const sample& last,
-                                                  const sample& after) const {
+                                                  const sample& after, const E& highest) const {
         W t = first.t + (last.t - first.t) * W(0.5);
         E reach = E(last.t - first.t) + first.reach + last.reach + resolution(t);
         for (;;) {
@@ -320,8 +326,8 @@ private:
             const bool left_clear = !(before.t < left) || has_sign_of(before, left);
             const bool right_clear = !(right < after.t) || has_sign_of(after, right);
             if (left_clear && right_clear) {
-                E height = E(2) * (max(E(abs(p_(left))), E(abs(p_(right)))) + noise_(E(abs(t)) + reach));
-                return {t, E(max(right - t, t - left)), before.sign, after.sign, height};
+                E ends = E(2) * (max(E(abs(p_(left))), E(abs(p_(right)))) + noise_(E(abs(t)) + reach));
+                return {t, E(max(right - t, t - left)), before.sign, after.sign, max(ends, highest)};
             }
             reach = reach * E(8);
         }
