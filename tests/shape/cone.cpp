@@ -88,6 +88,8 @@ TEST_CASE_TEMPLATE("open_cone: named cases", T, RAIO_NUMBERS) {
         {"one number above the apex", hat, {{-5, 2 + 2 * eps, 0}, {1, 0, 0}}, misses},
         {"the wrong nappe", hat, {{0, 3, 5}, {0, 0, -1}}, misses},
         {"parallel to a generator, inside (a = 0)", hat, {{1, -1, 0}, {-1, 1, 0}}, leaves(2)},
+        {"along a generator, through the apex, in the surface", hat, {{-1, 3, 0}, {1, -1, 0}}, misses},
+        {"along a generator, from the apex, in the surface", hat, {{0, 2, 0}, {1, -1, 0}}, misses},
         {"along the rim", hat, {{-5, 0, 0}, {1, 0, 0}}, enters(3)},
         {"below the rim", hat, {{-5, -eps, 0}, {1, 0, 0}}, misses},
         {"tangent to the side", hat, {{1, 1, 5}, {0, 0, -1}}, enters(5)},

@@ -100,6 +100,7 @@ TEST_CASE_TEMPLATE("open_frustum: named cases", T, RAIO_NUMBERS) {
         {"along the rim of the base", lamp, {{-5, 0, 0}, {1, 0, 0}}, enters(2)},
         {"one number above the top", lamp, {{-5, 2 + 2 * eps, 0}, {1, 0, 0}}, misses},
         {"touches the upper rim from within", lamp, {{-1, 3, 0}, {2, -1, 0}}, leaves(1)},
+        {"touches the wider rim from within", {{-3, 3, 0}, {2, 3, 0}, 1, 3}, {{-4, 3, 0}, {2, 0, 1}}, leaves(3)},
         {"tangent to the side", lamp, {{2, 1, 5}, {0, 0, -1}}, enters(5)},
         {"equal radii, parallel to the axis, in the surface (0 / 0)", even, {{1, 5, 0}, {0, -1, 0}}, misses},
         {"equal radii, parallel to the axis, outside (0 / 0)", even, {{2, 5, 0}, {0, -1, 0}}, misses},

@@ -48,6 +48,9 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<numb
     };
     add_errors(crossings, 1e-46);
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
+    if constexpr (!solid<Shape> && requires { about::lies_in_side(exact_shape, exact_ray); }) {
+        if (about::lies_in_side(exact_shape, exact_ray)) return crossings;
+    }
     if constexpr (requires { about::grown(exact_shape); }) {
         std::vector larger = all_crossings<oracle>(about::grown(exact_shape), exact_ray);
         add_errors(larger, 1e-19);

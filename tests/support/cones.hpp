@@ -22,15 +22,16 @@ struct cone_subject : revolved_subject<Cone, cone_profile> {
         const vec3<double> axis = random.direction() * (size * random.log_uniform(0.1, 10));
         return {vec3<T>(place), vec3<T>(place + axis), static_cast<T>(size * random.log_uniform(0.1, 1))};
     }
+    static frustum<oracle> as_frustum(const auto& s) { return {s.base, s.apex, s.radius, 0}; }
     static auto distances(const auto& s, const vec3<oracle>& p) {
-        return frustum_subject<frustum<T>>::distances(frustum<oracle>{s.base, s.apex, s.radius, 0}, p);
+        return frustum_subject<frustum<T>>::distances(as_frustum(s), p);
+    }
+    static bool lies_in_side(const auto& s, const ray<oracle>& r) {
+        return frustum_subject<frustum<T>>::lies_in_side(as_frustum(s), r);
     }
     static auto grown(auto s) {
-        const vec3<oracle> more = (s.apex - s.base) * oracle(1e-40);
-        s.base -= more;
-        s.apex += more;
-        s.radius *= 1 + oracle(1e-40);
-        return s;
+        const frustum<oracle> larger = frustum_subject<frustum<T>>::grown(as_frustum(s));
+        return decltype(s){larger.base, larger.top, larger.base_radius};
     }
 };
 

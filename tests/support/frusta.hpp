@@ -46,13 +46,29 @@ struct frustum_subject : revolved_subject<Frustum, frustum_profile> {
         const oracle obtuse = 1 + abs(widening) / slant;
         return {beyond * at.size / slant / obtuse, at.beyond_caps() / obtuse};
     }
+    /// Longer along its generators, and by less than that wider: what meets a rim meets the side then. Only an apex
+    /// stays one.
     static auto grown(auto s) {
-        const vec3<oracle> more = (s.top - s.base) * oracle(1e-40);
-        s.base -= more;
-        s.top += more;
-        s.base_radius *= 1 + oracle(1e-40);
-        s.top_radius *= 1 + oracle(1e-40);
+        const oracle low = s.base_radius, high = s.top_radius, widening = high - low, wider = max(low, high) * 3e-40;
+        const vec3<oracle> axis = s.top - s.base;
+        const oracle down(low > 0 ? 1e-37 : 1e-40), up(high > 0 ? 1e-37 : 1e-40);
+        s.base -= axis * down;
+        s.top += axis * up;
+        if (low > 0) s.base_radius += wider - widening * down;
+        if (high > 0) s.top_radius += wider + widening * up;
         return s;
+    }
+    /// Does the line lie in the side? Three of its points do then.
+    static bool lies_in_side(const auto& s, const ray<oracle>& r) {
+        const vec3<oracle> axis = s.top - s.base;
+        const oracle rising = dot(r.direction, axis), size = norm1(axis);
+        if (rising == 0) return false;
+        for (const double height : {0.0, 0.5, 1.0}) {
+            const vec3<oracle> center = s.base + axis * oracle(height);
+            const vec3<oracle> p = r.origin + r.direction * (dot(center - r.origin, axis) / rising);
+            if (abs(distances(s, p).first) > size * 1e-40) return false;
+        }
+        return true;
     }
 };
 
