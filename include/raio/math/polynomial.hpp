@@ -11,7 +11,7 @@
 ///
 /// Between two neighbouring roots of its derivative a polynomial rises or falls all the way: if its sign changes there,
 /// it has one root, and none if not. The derivative's roots are found in the same way, down to degree 1. A root that is
-/// enclosed like this is approached by Newton's method, and by bisection where that would leave the enclosure. (A
+/// enclosed like this is approached by Halley's method, and by bisection where that would leave the enclosure. (A
 /// closed form loses roots to rounding, and no polish brings back what is lost.)
 ///
 /// Every sign is compared with what rounding can have done to it. A root of the derivative where the polynomial cannot
@@ -134,7 +134,7 @@ public:
     /// Calls `take` with one enclosure after the other, in order, and with a function that finds the root in there, as
     /// long as it answers true; answers whether it did to the end.
     ///
-    /// \param tolerance  of Newton's last step, relative to t: its square is left
+    /// \param tolerance  of the last step, relative to t: its square is left, or less
     /// \param between    the same for the roots of the derivatives, which need only be told from those of the
     /// polynomial
     /// \tparam Turns  are the roots another polynomial's turns, of which also `height` is needed?
