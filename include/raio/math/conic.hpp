@@ -40,9 +40,11 @@ struct conic {
         const double wanted = part * area(from, to);
         double low = from, high = to, x = from + (to - from) * part;
         for (int i = 0; i < 64; ++i) {
-            const double over = area(from, x) - wanted, next = x - over / (*this)(x), last = x;
+            const double over = area(from, x) - wanted, height = (*this)(x), last = x;
+            if (over == 0) break;
             (over > 0 ? high : low) = x;
-            x = low <= next && next <= high ? next : low + (high - low) / 2;
+            const double next = height > 0 ? x - over / height : low;
+            x = low < next && next < high ? next : low + (high - low) / 2;
             if (std::abs(x - last) <= 0x1p-52 * std::abs(x)) break;
         }
         return x;
