@@ -24,7 +24,7 @@ RAIO_FN constexpr double rounded_product(double a, double b) {
     double product = a * b;
     // To the optimiser the product may have changed here, so it cannot be fused with the addition that follows.
 #if defined(__GNUC__) && (defined(__FMA__) || defined(__FMA4__))
-    asm("" : "+x"(product));
+    asm("" : "+v"(product));
 #elif defined(__GNUC__) && defined(__aarch64__)
     asm("" : "+w"(product));
 #endif
