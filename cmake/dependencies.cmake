@@ -25,12 +25,14 @@ raio_source(CLI11 libcli11-dev
 raio_source(stb libstb-dev
     https://github.com/nothings/stb/archive/5736b15f7ea0ffb08dd38af21067c314d6a3aae9.tar.gz
     d00921d49b06af62aa6bfb97c1b136bec661dd11dd4eecbcb0da1f6da7cedb4c)
-raio_source(tinyobjloader libtinyobjloader-dev "" "")
+raio_source(tinyobjloader libtinyobjloader-dev
+    https://github.com/tinyobjloader/tinyobjloader/archive/refs/tags/v2.0.0rc10.tar.gz
+    e1bc2e5547b562d33ca4a90b581717984a70d58113d83208dbc97c82e137b9fe)
 raio_source(Boost libboost-dev "" "")  # too large to fetch
 
 # Finds the package on the system, or fetches it. Either way its headers are system headers, without warnings.
 function(raio_dependency package)
-    list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_FUNCTION_LIST_DIR})  # Findstb.cmake
+    list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_FUNCTION_LIST_DIR})  # Findstb.cmake, Findtinyobjloader.cmake
     set(CMAKE_FIND_PACKAGE_PREFER_CONFIG ON)
     find_package(${package} QUIET GLOBAL)
     if(${package}_FOUND)
@@ -54,14 +56,19 @@ function(raio_dependency package)
     set(CLI11_BUILD_TESTS OFF)
     set(CLI11_INSTALL OFF)
 
+    set(own_find_module ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/Find${package}.cmake)
+    if(EXISTS ${own_find_module})
+        set(without_its_project SOURCE_SUBDIR none)
+    endif()
+
     include(FetchContent)
-    FetchContent_Declare(${package} SYSTEM
+    FetchContent_Declare(${package} SYSTEM ${without_its_project}
         URL ${raio_${package}_url}
         URL_HASH SHA256=${raio_${package}_sha256}
         DOWNLOAD_EXTRACT_TIMESTAMP OFF
         SOURCE_DIR ${FETCHCONTENT_BASE_DIR}/${package})
     FetchContent_MakeAvailable(${package})
-    if(package STREQUAL "stb")
-        find_package(stb REQUIRED GLOBAL)
+    if(EXISTS ${own_find_module})
+        find_package(${package} REQUIRED GLOBAL)
     endif()
 endfunction()
