@@ -2,6 +2,7 @@
 
 #include "support/cases.hpp"
 #include "support/hyperboloids.hpp"
+#include "support/packs.hpp"
 
 namespace raio::test {
 
@@ -82,6 +83,8 @@ TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_hyperboloid<T>>(normal_run / 4, 1.0 / 200);
     check_bounds_of_errors<open_hyperboloid<T>>(normal_run / 20);
 }
+
+TEST_CASE_TEMPLATE("hyperboloid: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<hyperboloid<T>>(400); }
 
 TEST_CASE_TEMPLATE("hyperboloid: all crossings", T, RAIO_NUMBERS) {
     const hyperboloid<T> tower{{0, -1, 0}, {0, 1, 0}, 3, 5};

@@ -2,6 +2,7 @@
 
 #include "support/cases.hpp"
 #include "support/hyperboloids.hpp"
+#include "support/packs.hpp"
 
 namespace raio::test {
 
@@ -66,6 +67,10 @@ TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: properties of every shape", T, R
 TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_two_sheet_hyperboloid<T>>(normal_run / 4, 1.0 / 200);
     check_bounds_of_errors<open_two_sheet_hyperboloid<T>>(normal_run / 20);
+}
+
+TEST_CASE_TEMPLATE("two_sheet_hyperboloid: packs, lane by lane", T, RAIO_NUMBERS) {
+    check_lanes_are_plain<two_sheet_hyperboloid<T>>(400);
 }
 
 TEST_CASE_TEMPLATE("two_sheet_hyperboloid: all crossings", T, RAIO_NUMBERS) {
