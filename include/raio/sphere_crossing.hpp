@@ -5,6 +5,23 @@
 
 namespace raio {
 
+/// |p|^2 - radius^2 of a point as seen from the centre of a sphere: its power (Steiner 1826). Negative inside.
+template <class W>
+struct point_power {
+    W value;
+    bound_t<W> error;
+};
+
+/// \tparam Roundings  as below
+template <int Roundings, class W, class D>
+RAIO_FN constexpr point_power<W> power_of_point(const vec3<D>& p, const D& radius) {
+    D p2 = dot(p, p), r2 = radius * radius;
+    W value(p2 - r2);
+    using E = bound_t<W>;
+    return {value, with_underflow<W>(E(2 * unit_roundoff<W>) * abs(E(value)) +
+                                     E(8 * Roundings * unit_roundoff<D>) * E(p2 + r2))};
+}
+
 /// The chord through the sphere about `l`, as seen from where the line has t = 0.
 ///
 /// The point at t lies on it where |t d - l|^2 = radius^2:
@@ -16,8 +33,10 @@ namespace raio {
 /// and far spheres (Haines, Guenther and Akenine-Moeller, Ray Tracing Gems ch. 7, 2019).
 ///
 /// \tparam Roundings  1 if only l is rounded, and once; 2 for up to three roundings of each number
-template <int Roundings, class W>
-RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, const W& radius) {
+/// \param power        answers with the `point_power` of l, found with more digits than l has: what packs ask of rays
+///                     that start on the sphere
+template <int Roundings, class W, class Power>
+RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, const W& radius, Power power) {
     using E = bound_t<W>;
     vec3<W> moment = cross(l, d);
     W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, passed2 = dot(moment, moment);
@@ -44,20 +63,21 @@ RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, cons
 
     // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
     const mask_t<W> certain = some(apart, every(sound, exists, s2 > s2_error, s2 > W(0x1p-10) * ar2));
-    W s = sqrt(max(s2, W(0))), over_a = W(1) / a, c = dot(l, l) - radius * radius;
+    W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
     E error = with_underflow<W>(E(0x1p9 * Roundings * u) * d_size * (l_size + E(radius)) * E(over_a));
-    vec2<W> t = quadratic_roots(over_a, b, c, s);
+    vec2<W> t = quadratic_roots(over_a, b, dot(l, l) - radius * radius, s);
     W near = t.x, far = t.y;
     E near_error = error, far_error = error;
     if constexpr (!std::same_as<mask_t<W>, bool>) {
         // Packs ask nobody else: they have to know on which side of the sphere a ray starts.
         const mask_t<W> at_origin = every(exists, some(abs(near) <= error, abs(far) <= error));
         if (any(at_origin)) {
-            // Where that is near, |b| < 2 s, the crossing there is c / sum, of which the error is that of c over sum,
-            // and |c / sum| times the relative error of sum. That is error a / sum, below a 50th: twice both is a
-            // bound.
-            W sum = b + copysign(s, b), over_sum = quotient(W(1), sum, W(0)), size = abs(over_sum), at = c * over_sum;
-            E c_error = with_underflow<W>(E(8 * Roundings * u) * (dot(l, l) + radius * radius));
+            // Where that is near, |b| < 2 s, the crossing there is c / sum, with c the power of the origin. Its error
+            // is that of c over sum, and |c / sum| times the relative error of sum. That is error a / sum, below a
+            // 50th: twice both is a bound.
+            W sum = b + copysign(s, b), over_sum = quotient(W(1), sum, W(0)), size = abs(over_sum);
+            auto [c, c_error] = power();
+            W at = c * over_sum;
             E at_error = with_underflow<W>(E(2) * size * (c_error + abs(c) * (error * a * size)));
             const mask_t<W> starts_near = every(at_origin, abs(b) < s + s, is_finite(sum), at_error < error);
             const mask_t<W> enters = every(starts_near, sum > W(0)), leaves = every(starts_near, sum < W(0));

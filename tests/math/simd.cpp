@@ -95,6 +95,15 @@ TEST_CASE_TEMPLATE("pack: what is set in one lane is there and nowhere else", P,
     CHECK(memory[0] == 0);
 }
 
+TEST_CASE_TEMPLATE("pack: the same numbers of another size", P, RAIO_PACKS_UNDER_TEST) {
+    using S = scalar_t<P>;
+    using Other = std::conditional_t<std::same_as<S, float>, double, float>;
+    P numbers;
+    for (std::size_t i = 0; i < P::lanes; ++i) numbers.set(i, S(0.1) * S(int(i) - 3));
+    const pack<Other, P::lanes> others(numbers);
+    for (std::size_t i = 0; i < P::lanes; ++i) CHECK(others[i] == Other(numbers[i]));
+}
+
 TEST_CASE_TEMPLATE("pack: in the vectors of GLM", P, RAIO_PACKS_UNDER_TEST) {
     // The products are exact, so that it does not matter where they are fused with the sums.
     check_lanes<P>("dot", [](auto a, auto b) { return dot(vec3<decltype(a)>(a, 1, 2), vec3<decltype(a)>(1, b, 1)); });

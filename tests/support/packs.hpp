@@ -224,13 +224,14 @@ double fraction_left_open(int rays) {
     return double(open) / count;
 }
 
-/// How many of the lanes leave open what a ray meets that leaves the shape, which is small in its scene.
-template <class P, class Shape>
-double fraction_of_spawned_left_open(int rays) {
+/// How many of the lanes leave open what a ray meets that leaves the shape where another hit it, if it did.
+/// \param arriving  makes the other ray and the shape
+template <class P, class Shape, class Arriving>
+double fraction_of_spawned_left_open(int rays, Arriving arriving) {
     using T = number_t<Shape>;
-    const auto spawned = [](random_numbers& random) {
+    const auto spawned = [&](random_numbers& random) {
         for (;;) {
-            probe<Shape> p = ordinary_probe_within<Shape>(500, random);
+            probe<Shape> p = arriving(random);
             hit_record<T> rec;
             if (!p.shape.hit(p.ray, 0, infinity<T>, rec)) continue;
             p.ray = spawn_ray(rec, vec3<T>(vec3<double>(rec.normal) + random.direction()));

@@ -195,6 +195,14 @@ inline constexpr double unit_roundoff = [] {
 template <class T>
 using wider_t = std::conditional_t<(unit_roundoff<working_t<T>> < unit_roundoff<T>), working_t<T>, exact_t<T>>;
 
+template <class T>
+struct wide {
+    using type = T;
+};
+/// What packs of floats become where their own digits do not do: packs of doubles. Other numbers stay what they are.
+template <class T>
+using wide_t = typename wide<T>::type;
+
 /// The smallest number with all its digits: what is below has lost some. The same for every number type of the same
 /// hardware.
 template <class T>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstring>
 
 #include <raio/math/angle.hpp>
@@ -35,6 +36,16 @@ public:
     template <class Number>
     requires std::is_arithmetic_v<Number> RAIO_FN constexpr pack(Number value) {
         detail::fill(registers_, [&](std::size_t) { return register_type(static_cast<S>(value)); });
+    }
+
+    /// The same numbers, as S.
+    template <class From>
+    requires(!std::same_as<From, S>) RAIO_FN explicit pack(const pack<From, N>& from) {
+        std::array<From, N> numbers;
+        std::array<S, N> converted;
+        from.store(numbers.data());
+        for (std::size_t i = 0; i < N; ++i) converted[i] = static_cast<S>(numbers[i]);
+        *this = load(converted.data());
     }
 
     /// N numbers that stand one after the other in memory, aligned or not.
@@ -170,6 +181,11 @@ struct real_traits<pack<S, N>> {
     using working = pack<S, N>;
     using exact = pack<S, N>;
     using bound = pack<S, N>;
+};
+
+template <std::size_t N>
+struct wide<pack<float, N>> {
+    using type = pack<double, N>;
 };
 
 // One number that converts to a pack: the compiler knows it, as it would not know a pack.
