@@ -100,7 +100,7 @@ private:
     RAIO_FN constexpr W place_of(const T& t) const {
         return (W(t) - middle_) * over_half_;
     }
-    /// For the roundings of a place, and of t to T.
+    /// For the roundings of a place, which `part_near` has found to be below 2^-13, and of t to T.
     template <real T>
     RAIO_FN constexpr W margin(const T& t) const {
         return W(0x1p-10) + abs(W(t)) * (W(4 * unit_roundoff<T>) * over_half_);

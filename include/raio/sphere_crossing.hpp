@@ -45,7 +45,8 @@ RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, cons
     // With u the unit roundoff, l x d is off by less than e = 4 Roundings u |l| |d|, and that decides whether the line
     // passes by: its length is on the same side of |d| radius if its square is farther from that than e (2 |d| radius +
     // e). The size of a vector is the sum of its components here, at most 1.74 times its length. Where a closer look
-    // can follow, the lengths' squares do: 2 e |d| radius is at most part |d|^2 radius^2 + e^2 / part.
+    // can follow, the lengths' squares do: 2 e |d| radius is at most part |d|^2 radius^2 + e^2 / part. (Any part will
+    // do: a larger one leaves more tangents open, and a smaller one more of what is far away.)
     constexpr double u = unit_roundoff<W>, least = least_normal<W>;
     E l_size = norm1(vec3<E>(l)), d_size = norm1(vec3<E>(d)), s2_error;
     if constexpr (std::same_as<W, strict_double>) {

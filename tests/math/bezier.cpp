@@ -11,20 +11,20 @@ TEST_CASE("bezier_polynomial: named cases") {
     const auto coefficients = [](double a, double b, double c, double d) {
         return bezier_polynomial<double>(a, b, c, d).coefficient;
     };
-    CHECK(coefficients(5, 5, 5, 5) == std::array<double, 4>{0, 0, 0, 0});
-    CHECK(coefficients(5, 6, 7, 8) == std::array<double, 4>{0, 3, 0, 0});
+    CHECK(coefficients(5, 5, 5, 5) == std::array<double, 4>{5, 0, 0, 0});
+    CHECK(coefficients(5, 6, 7, 8) == std::array<double, 4>{5, 3, 0, 0});
     CHECK(coefficients(0, 0, 1, 3) == std::array<double, 4>{0, 0, 3, 0});
-    CHECK(coefficients(-1, -1, -1, 0) == std::array<double, 4>{0, 0, 0, 1});
+    CHECK(coefficients(-1, -1, -1, 0) == std::array<double, 4>{-1, 0, 0, 1});
 }
 
-TEST_CASE_TEMPLATE("bezier_polynomial: de Casteljau's mean of means, within the error that it states", W, strict_double,
+TEST_CASE_TEMPLATE("bezier_from_start: de Casteljau's mean of means, within the error that it states", W, strict_double,
                    double_double) {
     random_numbers random(51);
     for (int i = 0; i < 1000; ++i) {
         const double far = random.log_uniform(1, 1e9);
         std::array<double, 4> v;
         for (double& x : v) x = far + random.uniform(-1, 1);
-        const auto p = bezier_polynomial<W>(v[0], v[1], v[2], v[3]);
+        const auto p = bezier_from_start<W>(v[0], v[1], v[2], v[3]);
         for (const double u : {0.0, 0.25, random.uniform(), 1.0}) {
             std::array<oracle, 4> mean;
             for (std::size_t k = 0; k < 4; ++k) mean[k] = v[k];

@@ -239,6 +239,8 @@ private:
         W root = sqrt(square), q = half + copysign(root, half), one = q / c[2], other = c[0] / q;
         // With the roots r and r' of the polynomial that is meant, its value at t is c2 (t - r) (t - r'). The farther
         // one is at least half of their distance away, which is 2 root / |c2|: so |t - r| is at most |value| / root.
+        // The square under that root is right to a quarter, and 1.25 > 1 / sqrt(3/4). Nothing in reach of t is farther
+        // than the two are apart, twice; with |c2| right to a half, the value there is no more than 10 times that at t.
         E over_root = E(1.25) / E(root), low(low_), high(high_), last = -infinity<E>;
         const int outside = c[2] > W(0) ? 1 : -1;
         for (const bool second : {false, true}) {

@@ -256,14 +256,12 @@ private:
     /// Of the centre, as seen from p0.
     template <class W>
     RAIO_FN constexpr polynomial<W, 3> coordinate(glm::length_t axis) const {
-        return bezier_polynomial<W>(p0[axis], p1[axis], p2[axis], p3[axis]);
+        return bezier_from_start<W>(p0[axis], p1[axis], p2[axis], p3[axis]);
     }
 
     template <class W>
     RAIO_FN constexpr polynomial<W, 3> radii() const {
-        polynomial<W, 3> r = bezier_polynomial<W>(r0, r1, r2, r3);
-        r.coefficient[0] = W(r0);
-        return r;
+        return bezier_polynomial<W>(r0, r1, r2, r3);
     }
 
     /// \param over_size  1 over the unit of length

@@ -226,15 +226,11 @@ private:
 
     template <class W>
     RAIO_FN constexpr polynomial<W, 3> radii() const {
-        polynomial<W, 3> r = bezier_polynomial<W>(p0.x, p1.x, p2.x, p3.x);
-        r.coefficient[0] = W(p0.x);
-        return r;
+        return bezier_polynomial<W>(p0.x, p1.x, p2.x, p3.x);
     }
     template <class W>
     RAIO_FN constexpr polynomial<W, 3> heights() const {
-        polynomial<W, 3> y = bezier_polynomial<W>(p0.y, p1.y, p2.y, p3.y);
-        y.coefficient[0] = W(p0.y);
-        return y;
+        return bezier_polynomial<W>(p0.y, p1.y, p2.y, p3.y);
     }
 };
 
