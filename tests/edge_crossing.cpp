@@ -9,12 +9,6 @@ namespace raio::test {
 using W = strict_double;
 using X = double_double;
 
-namespace {
-
-vec3<oracle> exactly(const vec3<X>& v) { return {test::exactly(v.x), test::exactly(v.y), test::exactly(v.z)}; }
-
-}  // namespace
-
 TEST_CASE("edge_crossing: the bounds of t, u, v and of what is missing, from above as well") {
     random_numbers random(1);
     part_of_bound of_size, of_u, of_v, of_t, of_missing, of_missing_ahead;

@@ -21,14 +21,6 @@ revolved_quadric<N> some_quadric(random_numbers& random) {
     return {axis, v, c0, zero, c, -(c0 * c), N(4)};
 }
 
-vec3<oracle> exactly(const vec3<X>& v) { return {test::exactly(v.x), test::exactly(v.y), test::exactly(v.z)}; }
-
-/// The double that each number rounds to, and what is left.
-std::pair<vec3<X>, vec3<X>> in_two_parts(const vec3<oracle>& v) {
-    const vec3<double> start = to_double(v);
-    return {vec3<X>(start), vec3<X>(to_double(v - vec3<oracle>(start)))};
-}
-
 }  // namespace
 
 TEST_CASE("quadric_crossing: the bounds of t and of what is missing, from above as well") {

@@ -135,6 +135,13 @@ TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, RAIO_NUMBE
     check_sampling(box<T>{{-9, 4, 7}, {T(-8.5), 5, T(7.25)}}, to_square);
     check_sampling(box<T>{{0, 0, 0}, {0, 1, 1}}, to_square);
 
+    // The last number of one pair of faces, and the first of the next.
+    for (const T part : {T(16) / 28, T(24) / 28}) {
+        for (const T u : {std::nextafter(part, T(0)), part, std::nextafter(part, T(1))}) {
+            CHECK(bar.bounds().contains(bar.sample({u, T(0.5)}).point));
+        }
+    }
+
     std::vector<int> counts(6, 0);
     random_numbers random(11);
     const int samples = 100'000;

@@ -78,6 +78,20 @@ TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many 
         CHECK(area({{{x, T(0.2), T(-0.3)}, -x}}) == infinity<T>);
     }
     CHECK(area({}) == T(0));
+    // Planes through an edge that no number says: it is one edge, on any side of the origin.
+    random_numbers random(14);
+    for (int i = 0; i < 200; ++i) {
+        const auto whole = [&] { return T(random.integer(1, 9)); };
+        const T low = T(random.integer(-9, 9)), high = T(random.integer(-9, 9));
+        const T side = T(random.one_in(2) ? 1 : -1), other = T(random.one_in(2) ? 1 : -1);
+        const vec3<T> first(side * whole(), other * whole(), 0), second(side * whole(), other * whole(), 0);
+        if (norm1(cross(first, second)) == T(0)) continue;
+        const vec3<T> both = first + second;
+        std::vector<half_space<T>> prism{{{0, 0, 1}, -1}, {{0, 0, -1}, -1}, {-both, -99}, {first, low}, {second, high}};
+        const T all = area(prism);
+        prism.push_back({both, low + high});
+        CHECK(area(prism) == doctest::Approx(all));
+    }
 }
 
 TEST_CASE_TEMPLATE("convex_polyhedron: samples are spread evenly over the area", T, RAIO_NUMBERS) {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "support/accuracy.hpp"
+#include "support/bounds.hpp"
 #include "support/cases.hpp"
 #include "support/frusta.hpp"
 #include "support/sampling.hpp"
@@ -269,6 +270,57 @@ TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, RAIO_NUMBERS
 TEST_CASE_TEMPLATE("surface of revolution: of one segment, as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<lone_segment<T>>(normal_run, 1.0 / 500);
     check_bounds_of_errors<lone_segment<T>>(share_of(20'000));
+}
+
+TEST_CASE("surface of revolution: of one segment, the bounds of what is missing, from above as well") {
+    using W = strict_double;
+    random_numbers random(34);
+    part_of_bound of_side, of_slope, of_ring;
+    int seen = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const auto radius = [&] { return random.one_in(8) ? 0 : random.log_uniform(1e-3, 1e3); };
+        const auto height = [&] { return random.uniform(-1, 1) * random.log_uniform(1e-3, 1e3); };
+        lone_segment<double> s{some_vector(random), some_vector(random), radius(), height(), radius(), height()};
+        const bool flat = random.one_in(3);
+        if (flat) s.to_height = s.from_height;
+        const auto exact = converted<oracle>(s);
+
+        // How far a point is above the ring, or how much farther from the axis than the side, in squares.
+        const auto level = [&](const vec3<oracle>& p) {
+            const vec3<oracle> from_base = p - exact.base;
+            const oracle axis2 = dot(exact.axis, exact.axis), up = dot(from_base, exact.axis) / axis2;
+            if (flat) return oracle(up - exact.from_height);
+            const vec3<oracle> beside = from_base - exact.axis * up;
+            const oracle part = (up - exact.from_height) / (exact.to_height - exact.from_height);
+            const oracle rho = exact.from_radius + (exact.to_radius - exact.from_radius) * part;
+            return oracle(dot(beside, beside) - rho * rho);
+        };
+        const double part = random.one_in(4) ? random.log_uniform(1e-6, 1) : random.uniform();
+        const vec3<double> near_by =
+            s.base + s.axis * (s.from_height + (s.to_height - s.from_height) * part) +
+            random.perpendicular(s.axis) * (s.from_radius + (s.to_radius - s.from_radius) * part);
+        const vec3<double> direction = some_vector(random);
+        const auto level_along = [&](const ray<oracle>& ray) {
+            return [&level, ray](const oracle& t) { return level(ray.origin + ray.direction * t); };
+        };
+        const oracle scale = oracle(std::max(s.from_radius, s.to_radius)) / length(vec3<oracle>(direction));
+        if (!(scale > 0)) continue;
+        const oracle root = zero_close_to_0(level_along({vec3<oracle>(near_by), vec3<oracle>(direction)}), scale);
+
+        // All of t is known, or only as much as the bound of its error says.
+        const double error = random.one_in(2) ? 0 : random.log_uniform(1e-16, 1e-6) * rounded<double>(scale);
+        const vec3<oracle> place =
+            vec3<oracle>(near_by) + vec3<oracle>(direction) * (root + error * random.uniform(-1, 1));
+        const vec3<double> origin = near_by + random.direction() * random.log_uniform(1e-9, 1e3);
+        const auto [nearby, exact_ray] = gone_close_to(place, origin, direction);
+        const crossing<W> missing = s.correction(nearby, crossing<W>{true, true, W(0), W(error), true});
+        if (!missing.certain) continue;
+        const oracle t = zero_close_to_0(level_along(exact_ray), scale);
+        (flat ? of_ring : error == 0 ? of_side : of_slope).add(exactly(missing.t) - t, missing.error);
+        ++seen;
+    }
+    CHECK(seen > 10'000);
+    CHECK((of_side.largest > 1e-4 && of_slope.largest > 0.1 && of_ring.largest > 0.1));
 }
 
 TEST_CASE_TEMPLATE("surface of revolution: of one segment, as exact arithmetic, ten million times" *
