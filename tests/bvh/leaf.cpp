@@ -97,23 +97,22 @@ TEST_CASE_TEMPLATE("leaf_blocks: shapes with their ids, each once, and nothing i
     CHECK((leaves.used(1) == 1 && leaves.id(1, 0) == 5));
 
     const ray<T> r{{0, 0, 0}, {0, 0, -1}};
-    const auto lanes = leaves.in_every_lane(r);
-    auto found = leaves.find(0, lanes, T(0), infinity<T>);
+    auto found = leaves.find(0, r, T(0), infinity<T>);
     CHECK((found.sure == 3 && found.open == 0));
     CHECK((found.low[0] <= T(2.5) && T(2.5) <= found.high[0]));
     CHECK((found.low[1] <= T(6.5) && T(6.5) <= found.high[1]));
-    found = leaves.find(0, lanes, T(4), infinity<T>);
+    found = leaves.find(0, r, T(4), infinity<T>);
     CHECK((found.sure == 2 && found.open == 0));
-    found = leaves.find(1, lanes, T(0), infinity<T>);
+    found = leaves.find(1, r, T(0), infinity<T>);
     CHECK((found.sure == 1 && found.open == 0));
-    found = leaves.find(1, lanes, T(6), infinity<T>);
+    found = leaves.find(1, r, T(6), infinity<T>);
     CHECK((found.sure == 0 && found.open == 0));
-    found = leaves.find(1, lanes, T(4.5), infinity<T>);  // just there: the plain shape has to say it
+    found = leaves.find(1, r, T(4.5), infinity<T>);  // just there: the plain shape has to say it
     CHECK((found.sure == 0 && found.open == 1));
 
     leaves.set(1, 0, sphere<T>{{0, 0, -9}, T(0.5)});
     CHECK(leaves.shape(1, 0).center == vec3<T>(0, 0, -9));
-    CHECK(leaves.find(1, lanes, T(6), infinity<T>).sure == 1);
+    CHECK(leaves.find(1, r, T(6), infinity<T>).sure == 1);
     const auto unknown = detail::open_lanes(leaves, 0);
     CHECK((unknown.sure == 0 && unknown.open == 3));
 }

@@ -43,24 +43,24 @@ auto as_many(std::index_sequence<I...>) {
 TEST_CASE_TEMPLATE("leaf_kinds: packs say what they find in the leaves that have some, of others nothing is known", T,
                    RAIO_NUMBERS) {
     const two_kinds<T> leaves = some_leaves<T>();
-    const auto lanes = two_kinds<T>::rays(ray<T>{{0, 0, 0}, {0, 0, -2}});
-    auto spheres = leaves.template find<0>(0, std::get<0>(lanes), T(0), infinity<T>);
+    const ray<T> along{{0, 0, 0}, {0, 0, -2}};
+    auto spheres = leaves.template find<0>(0, along, T(0), infinity<T>);
     CHECK((spheres.sure == 3 && spheres.open == 0));
     CHECK((spheres.low[1] <= T(4.5) && T(4.5) <= spheres.high[1]));
-    spheres = leaves.template find<0>(0, std::get<0>(lanes), T(0), T(3));
+    spheres = leaves.template find<0>(0, along, T(0), T(3));
     CHECK((spheres.sure == 1 && spheres.open == 0));
-    const auto solid = leaves.template find<1>(0, std::get<1>(lanes), T(0), infinity<T>);
+    const auto solid = leaves.template find<1>(0, along, T(0), infinity<T>);
     CHECK((solid.sure == 0 && solid.open == 1));
-    const auto solids = leaves.template find<1>(1, std::get<1>(lanes), T(0), infinity<T>);
+    const auto solids = leaves.template find<1>(1, along, T(0), infinity<T>);
     CHECK((solids.sure == 0 && solids.open == 7));
 }
 
 TEST_CASE("leaf_kinds: a ray of more digits is nothing for packs") {
     const two_kinds<float> leaves = some_leaves<float>();
-    const auto lanes = two_kinds<float>::rays(ray<double>{{0, 0, 0}, {0, 0, -2}});
-    const auto spheres = leaves.find<0>(0, std::get<0>(lanes), 0.0f, 3.0f);
+    const ray<double> along{{0, 0, 0}, {0, 0, -2}};
+    const auto spheres = leaves.find<0>(0, along, 0.0f, 3.0f);
     CHECK((spheres.sure == 0 && spheres.open == 3));
-    const auto solids = leaves.find<1>(1, std::get<1>(lanes), 0.0f, 3.0f);
+    const auto solids = leaves.find<1>(1, along, 0.0f, 3.0f);
     CHECK((solids.sure == 0 && solids.open == 7));
 }
 

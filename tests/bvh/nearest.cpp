@@ -51,7 +51,7 @@ struct leaves_of_marks {
     std::uint32_t id(std::uint32_t i, unsigned lane) const { return leaves[i][lane].id; }
     const mark<T>& shape(std::uint32_t i, unsigned lane) const { return leaves[i][lane].shape; }
 
-    detail::findings<T, lanes> find(std::uint32_t i, const int&, T t_min, T t_max) const {
+    detail::findings<T, lanes> find(std::uint32_t i, const ray<T>&, T t_min, T t_max) const {
         std::array<T, lanes> low{}, high{};
         detail::findings<T, lanes> found{};
         for (std::size_t lane = 0; lane < leaves[i].size(); ++lane) {
@@ -106,8 +106,8 @@ TEST_CASE_TEMPLATE("nearest: what a loop finds, whatever packs know", T, RAIO_NU
         nearest_mark<T> query(leaves, along, t_min, t_max, rec);
         const std::size_t most = std::max(std::get<0>(leaves.all).leaves.size(), std::get<1>(leaves.all).leaves.size());
         for (std::uint32_t block = 0; block < most; ++block) {
-            if (block < std::get<0>(leaves.all).leaves.size()) query.template visit<0>(block, 0);
-            if (block < std::get<1>(leaves.all).leaves.size()) query.template visit<1>(block, 0);
+            if (block < std::get<0>(leaves.all).leaves.size()) query.template visit<0>(block);
+            if (block < std::get<1>(leaves.all).leaves.size()) query.template visit<1>(block);
             REQUIRE((expected == nullptr || expected->shape.t <= query.farthest()));
         }
         REQUIRE(query.finish() == (expected != nullptr));
@@ -132,18 +132,18 @@ TEST_CASE_TEMPLATE("nearest: nobody but the nearest is asked where packs can tel
     hit_record<T> rec;
     nearest_mark<T> query(leaves, along, T(0), infinity<T>, rec);
     CHECK(query.farthest() == infinity<T>);
-    query.template visit<0>(0, 0);
+    query.template visit<0>(0);
     CHECK(query.farthest() == T(3.25));
-    query.template visit<0>(1, 0);
+    query.template visit<0>(1);
     CHECK(query.farthest() == T(3.25));
-    query.template visit<1>(0, 0);
+    query.template visit<1>(0);
     CHECK(query.farthest() == T(2.25));
     CHECK(asked == 0);
     REQUIRE(query.finish());
     CHECK((rec.t == T(2) && rec.index == 4 && asked == 1));
 
     nearest_mark<T> open(leaves, along, T(0), infinity<T>, rec);
-    open.template visit<1>(1, 0), open.template visit<1>(0, 0);
+    open.template visit<1>(1), open.template visit<1>(0);
     CHECK((asked == 1 && open.farthest() == T(2.25)));
     REQUIRE(open.finish());
     CHECK((rec.t == T(1) && rec.index == 5));
@@ -164,8 +164,7 @@ TEST_CASE("nearest: a ray of more digits than the shapes, which have packs or no
     const auto check = [&](const ray<double>& fine, auto& shape, std::uint32_t index) {
         hit_record<float, double> rec, expected;
         detail::nearest<float, kinds, double, double> query(leaves, fine, 0.0f, infinity<float>, rec);
-        const auto lanes = kinds::rays(fine);
-        query.visit<0>(0, std::get<0>(lanes)), query.visit<1>(0, std::get<1>(lanes));
+        query.visit<0>(0), query.visit<1>(0);
         REQUIRE(query.finish());
         REQUIRE(detail::hit(shape, fine, 0.0f, infinity<float>, expected));
         CHECK((rec.t == expected.t && rec.point == expected.point && rec.normal == expected.normal));

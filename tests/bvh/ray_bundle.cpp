@@ -148,7 +148,7 @@ TEST_CASE("ray_bundle: rays of several octants, or out of range, are no bundle")
     CHECK(!coherent({{o, {1, 1, 1}}, {o, {0x1p-91f, 0, 0}}}));
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         vec3<float> fast(1), far_off(0), slow(0);
-        fast[axis] = 0x1p101f, far_off[axis] = 0x1p91f, slow[axis] = 0x1p-89f;
+        fast[axis] = 0x1p101f, far_off[axis] = 0x1p92f, slow[axis] = 0x1p-89f;
         CHECK(!coherent({{o, {1, 1, 1}}, {o, fast}}));
         CHECK(!coherent({{o, {1, 1, 1}}, {far_off, {1, 1, 1}}}));
         CHECK(coherent({{o, slow}, {o, slow}}));

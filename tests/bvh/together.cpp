@@ -53,7 +53,7 @@ TEST_CASE("together: each ray is shown all leaves with shapes that it meets, and
         const balls_and_rays all(random);
         const auto& leaves = std::get<0>(all.tree.leaves.all);
         std::vector<std::vector<bool>> seen(all.rays.size(), std::vector<bool>(leaves.size()));
-        const bool together = all.visit([&](std::size_t ray, auto kind, std::uint32_t block, const auto&) {
+        const bool together = all.visit([&](std::size_t ray, auto kind, std::uint32_t block) {
             static_assert(kind() == 0);
             REQUIRE(!seen.at(ray).at(block));
             seen[ray][block] = true;
@@ -82,7 +82,7 @@ TEST_CASE("together: a ray that wants no more is shown no more, the others are")
     for (int i = 0; i < 500; ++i) {
         const balls_and_rays all(random);
         std::vector<int> count(all.rays.size(), 0);
-        bundles += all.visit([&](std::size_t ray, auto, std::uint32_t, const auto&) {
+        bundles += all.visit([&](std::size_t ray, auto, std::uint32_t) {
             ++count.at(ray);
             return ray == 0 ? -infinity<float> : infinity<float>;
         });
@@ -100,7 +100,7 @@ TEST_CASE("together: nothing is done for rays of which one runs another way, or 
     const auto visits = [&](const vec3<float>& direction) {
         int count = 0;
         const std::vector<ray<float>> rays{{from, to}, {from, direction}};
-        const auto visit = [&](std::size_t, auto, std::uint32_t, const auto&) { return ++count, infinity<float>; };
+        const auto visit = [&](std::size_t, auto, std::uint32_t) { return ++count, infinity<float>; };
         const bool together = detail::visit_leaves_together(all.tree, std::span(rays), 0.0f, infinity<float>, visit);
         CHECK(together == (count > 0));
         return count;
@@ -110,7 +110,7 @@ TEST_CASE("together: nothing is done for rays of which one runs another way, or 
     CHECK(visits({-to.x, to.y, to.z}) == 0);
     CHECK(visits({0, 0, 0}) == 0);
     CHECK(visits({to.x, std::numeric_limits<float>::quiet_NaN(), to.z}) == 0);
-    const auto visit = [](std::size_t, auto, std::uint32_t, const auto&) { return infinity<float>; };
+    const auto visit = [](std::size_t, auto, std::uint32_t) { return infinity<float>; };
     const std::span<const ray<float>> one(all.rays.data(), 1);
     CHECK(!detail::visit_leaves_together(all.tree, one, 2.0f, 1.0f, visit));
     CHECK(!detail::visit_leaves_together(detail::assembled<sphere<float>>(), one, 0.0f, 1.0f, visit));

@@ -100,4 +100,18 @@ TEST_CASE("node_ray: out of range every box is met") {
     CHECK(met({{0x1p91f, 100, 100}, {1, 0, 0}}) == all);
 }
 
+TEST_CASE("node_ray: what is no ray is out of range") {
+    const auto fits = [](const ray<float>& r) { return node_ray(r, 1.0f, random_box_reach).fits(); };
+    const ray<float> good{{1, 2, 3}, {0, -1, 2}};
+    CHECK(fits(good));
+    CHECK(!fits({good.origin, {0, 0, 0}}));
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        for (const float bad : {std::numeric_limits<float>::quiet_NaN(), infinity<float>, -infinity<float>}) {
+            ray<float> from_nowhere = good, to_nowhere = good;
+            from_nowhere.origin[axis] = bad, to_nowhere.direction[axis] = bad;
+            CHECK((!fits(from_nowhere) && !fits(to_nowhere)));
+        }
+    }
+}
+
 }  // namespace raio::test

@@ -72,8 +72,8 @@ public:
     [[gnu::flatten]] bool hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
         detail::nearest<T, leaves, R, N> query(tree_.leaves, ray, t_min, t_max, rec);
         T far = t_max;
-        visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block, const auto& lanes) {
-            query.template visit<kind()>(block, lanes);
+        visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block) {
+            query.template visit<kind()>(block);
             far = query.farthest();
             return true;
         });
@@ -84,8 +84,8 @@ public:
     template <real R>
     [[gnu::flatten]] bool occluded(const ray<R>& ray, T t_min, T t_max) const {
         bool found = false;
-        visit_leaves<true>(ray, t_min, t_max, [&](auto kind, std::uint32_t block, const auto& lanes) {
-            found = meets_any<kind()>(block, lanes, ray, t_min, t_max);
+        visit_leaves<true>(ray, t_min, t_max, [&](auto kind, std::uint32_t block) {
+            found = meets_any<kind()>(block, ray, t_min, t_max);
             return !found;
         });
         return found;
@@ -101,8 +101,8 @@ public:
             for (std::size_t i = 0; i < some.size(); ++i) {
                 queries[i].emplace(tree_.leaves, some[i], t_min, t_max, recs[first + i]);
             }
-            const auto visit = [&](std::size_t i, auto kind, std::uint32_t block, const auto& lanes) {
-                queries[i]->template visit<kind()>(block, lanes);
+            const auto visit = [&](std::size_t i, auto kind, std::uint32_t block) {
+                queries[i]->template visit<kind()>(block);
                 return queries[i]->farthest();
             };
             const bool together = detail::visit_leaves_together(tree_, some, t_min, t_max, visit);
@@ -116,8 +116,8 @@ public:
     std::uint64_t occluded(std::span<const ray<T>> rays, T t_min, T t_max) const {
         return detail::for_each_bundle(rays, [&](std::span<const ray<T>> some, std::size_t) {
             std::array<bool, detail::ray_bundle::most> found{};
-            const auto visit = [&](std::size_t i, auto kind, std::uint32_t block, const auto& lanes) {
-                found[i] = meets_any<kind()>(block, lanes, some[i], t_min, t_max);
+            const auto visit = [&](std::size_t i, auto kind, std::uint32_t block) {
+                found[i] = meets_any<kind()>(block, some[i], t_min, t_max);
                 return found[i] ? -infinity<T> : t_max;
             };
             const bool together = detail::visit_leaves_together(tree_, some, t_min, t_max, visit);
@@ -156,8 +156,8 @@ public:
     template <std::predicate<const hit_record<T>&> Accept>
     bool occluded(const ray<T>& ray, T t_min, T t_max, Accept accept) const {
         bool found = false;
-        visit_leaves<true>(ray, t_min, t_max, [&](auto kind, std::uint32_t block, const auto& lanes) {
-            for_each_lane<kind()>(block, lanes, t_min, t_max, [&](const auto& shape, std::uint32_t id) {
+        visit_leaves<true>(ray, t_min, t_max, [&](auto kind, std::uint32_t block) {
+            for_each_lane<kind()>(block, ray, t_min, t_max, [&](const auto& shape, std::uint32_t id) {
                 detail::for_each_crossing(shape, ray, t_min, t_max, id, [&](const hit_record<T>& rec) {
                     found = accept(rec);
                     return !found;
@@ -193,9 +193,9 @@ private:
     };
 
     /// Is any shape of a leaf hit?
-    template <std::size_t Kind, class Lanes, class R>
-    bool meets_any(std::uint32_t block, const Lanes& lanes, const ray<R>& ray, T t_min, T t_max) const {
-        auto findings = tree_.leaves.template find<Kind>(block, lanes, t_min, t_max);
+    template <std::size_t Kind, class R>
+    bool meets_any(std::uint32_t block, const ray<R>& ray, T t_min, T t_max) const {
+        auto findings = tree_.leaves.template find<Kind>(block, ray, t_min, t_max);
         bool found = findings.sure != 0;
         for (; !found && findings.open != 0; findings.open &= findings.open - 1) {
             const auto lane = static_cast<unsigned>(std::countr_zero(findings.open));
@@ -205,9 +205,9 @@ private:
     }
 
     /// Calls `visit` with the shapes of a leaf that may be crossed, and their ids, as long as it answers true.
-    template <std::size_t Kind, class Lanes, class Visit>
-    void for_each_lane(std::uint32_t block, const Lanes& lanes, T t_min, T t_max, Visit visit) const {
-        const auto found = tree_.leaves.template find<Kind>(block, lanes, t_min, t_max);
+    template <std::size_t Kind, class Visit>
+    void for_each_lane(std::uint32_t block, const ray<T>& ray, T t_min, T t_max, Visit visit) const {
+        const auto found = tree_.leaves.template find<Kind>(block, ray, t_min, t_max);
         const auto& own = std::get<Kind>(tree_.leaves.all);
         for (std::uint32_t left = found.sure | found.open; left != 0; left &= left - 1) {
             const auto lane = static_cast<unsigned>(std::countr_zero(left));
@@ -218,8 +218,8 @@ private:
     template <class Hits, class Accept>
     void collect(const ray<T>& ray, T t_min, T t_max, Hits& hits, Accept accept) const {
         T far = t_max;
-        visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block, const auto& lanes) {
-            for_each_lane<kind()>(block, lanes, t_min, far, [&](const auto& shape, std::uint32_t id) {
+        visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block) {
+            for_each_lane<kind()>(block, ray, t_min, far, [&](const auto& shape, std::uint32_t id) {
                 detail::for_each_crossing(shape, ray, t_min, far, id, [&](const hit_record<T>& rec) {
                     if (accept(rec)) hits.add(rec);
                     far = hits.farthest();
@@ -245,15 +245,14 @@ private:
     /// \param t_max  may be brought nearer by `visit`
     template <bool Any, class R, class Visit>
     void visit_leaves(const ray<R>& ray, T t_min, const T& t_max, Visit visit) const {
-        if (tree_.nodes.empty() || !detail::runs(ray) || !(t_min <= t_max)) return;
-        const auto lanes = leaves::rays(ray);
+        if (tree_.nodes.empty() || !(t_min <= t_max)) return;
+        const detail::node_ray boxes(ray, R(tree_.scale), tree_.size);
+        if (!boxes.fits() && !detail::runs(ray)) return;
         float far = detail::rounded_up(t_max);
         const float near = detail::rounded_down(t_min);
-        const detail::node_ray boxes(ray, R(tree_.scale), tree_.size);
         const auto visit_leaf = [&](std::uint32_t leaf) {
-            const bool go_on = leaves::with_kind(detail::child::kind(leaf), [&](auto kind) {
-                return visit(kind, detail::child::block(leaf), std::get<kind()>(lanes));
-            });
+            const bool go_on = leaves::with_kind(detail::child::kind(leaf),
+                                                 [&](auto kind) { return visit(kind, detail::child::block(leaf)); });
             far = detail::rounded_up(t_max);
             return go_on;
         };

@@ -74,12 +74,6 @@ public:
     static constexpr std::size_t lanes = block_lanes<Shape>;
     static constexpr leaf_kind cost{.lanes = lanes, .block_cost = 1, .shape_cost = 0};
 
-    /// A ray as the blocks want it: the same in every lane.
-    using ray_type = ray<pack<T, lanes>>;
-    static ray_type in_every_lane(const ray<T>& r) {
-        return {vec3<pack<T, lanes>>(r.origin), vec3<pack<T, lanes>>(r.direction)};
-    }
-
     void resize(std::span<const leaf_range> ranges) { blocks_.resize(ranges.size()); }
     std::uint32_t size() const { return static_cast<std::uint32_t>(blocks_.size()); }
     std::size_t bytes() const { return blocks_.size() * sizeof(block); }
@@ -115,10 +109,11 @@ public:
     Shape shape(std::uint32_t i, unsigned lane) const { return blocks_[i].shapes.get(lane); }
     void set(std::uint32_t i, unsigned lane, const Shape& shape) { blocks_[i].shapes.set(lane, shape); }
 
-    findings<T, lanes> find(std::uint32_t i, const ray_type& ray, T t_min, T t_max) const {
+    findings<T, lanes> find(std::uint32_t i, const ray<T>& along, T t_min, T t_max) const {
         using W = pack<T, lanes>;
         const block& b = blocks_[i];
-        findings<T, lanes> found = judge(b.shapes.shapes().template crossings<W>(ray), W(t_min), W(t_max));
+        const ray<W> in_every_lane{vec3<W>(along.origin), vec3<W>(along.direction)};
+        findings<T, lanes> found = judge(b.shapes.shapes().template crossings<W>(in_every_lane), W(t_min), W(t_max));
         constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - lanes);
         if (((found.sure | found.open) & all) != 0) {
             const std::uint32_t used = b.used();
@@ -152,10 +147,6 @@ public:
     using T = number_t<Shape>;
     static constexpr std::size_t lanes = 4;
     static constexpr leaf_kind cost{.lanes = lanes, .block_cost = 0, .shape_cost = 1};
-
-    /// There are no packs, and no ray for them.
-    struct ray_type {};
-    static ray_type in_every_lane(const ray<T>&) { return {}; }
 
     void resize(std::span<const leaf_range> ranges) {
         std::uint32_t first = 0;

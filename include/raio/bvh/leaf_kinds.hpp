@@ -14,22 +14,12 @@ public:
 
     std::tuple<Leaves...> all;
 
-    /// What every kind makes of the ray. One of more digits is nothing for packs.
-    template <class R>
-    static auto rays(const ray<R>& ray) {
-        if constexpr ((std::same_as<R, typename Leaves::T> && ...)) {
-            return std::tuple<typename Leaves::ray_type...>(Leaves::in_every_lane(ray)...);
-        } else {
-            return std::tuple<decltype(Leaves{}, no_ray{})...>();
-        }
-    }
-
-    /// What packs say of the shapes of a leaf, if it has any.
-    template <std::size_t Kind, class T, class Ray>
-    auto find(std::uint32_t i, const Ray& lanes, T t_min, T t_max) const {
+    /// What packs say of the shapes of a leaf, if it has any. A ray of more digits is nothing for packs.
+    template <std::size_t Kind, class T, class R>
+    auto find(std::uint32_t i, const ray<R>& ray, T t_min, T t_max) const {
         const auto& leaves = std::get<Kind>(all);
-        if constexpr (requires { leaves.find(i, lanes, t_min, t_max); }) {
-            return leaves.find(i, lanes, t_min, t_max);
+        if constexpr (std::same_as<R, T> && requires { leaves.find(i, ray, t_min, t_max); }) {
+            return leaves.find(i, ray, t_min, t_max);
         } else {
             return open_lanes(leaves, i);
         }
@@ -42,8 +32,6 @@ public:
     }
 
 private:
-    struct no_ray {};
-
     template <std::size_t I, class Visit>
     static auto choose(std::uint32_t kind, Visit& visit) {
         if constexpr (I + 1 < sizeof...(Leaves)) {

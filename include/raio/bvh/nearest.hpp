@@ -20,9 +20,9 @@ public:
     /// Nothing beyond that can be nearest.
     T farthest() const { return high_; }
 
-    template <std::size_t Kind, class Ray>
-    void visit(std::uint32_t block, const Ray& lanes) {
-        auto found = leaves_.template find<Kind>(block, lanes, t_min_, high_);
+    template <std::size_t Kind>
+    void visit(std::uint32_t block) {
+        auto found = leaves_.template find<Kind>(block, ray_, t_min_, high_);
         for (; found.sure != 0; found.sure &= found.sure - 1) {
             const auto lane = static_cast<unsigned>(std::countr_zero(found.sure));
             const T low = found.low[lane], high = found.high[lane];

@@ -33,18 +33,18 @@ public:
                 direction[axis][i] = static_cast<float>(ray.direction[at] * scale);
             }
         }
-        const auto largest_of = [](const auto& v) {
+        const auto sum_of = [](const auto& v) {
             const auto size_of = [&](unsigned axis) { return abs(numbers::load(v[axis].data())); };
-            return numbers::max(numbers::max(size_of(0), size_of(1)), size_of(2));
+            return size_of(0) + size_of(1) + size_of(2);
         };
-        numbers largest = largest_of(direction), reach = numbers(size) + largest_of(origin);
+        numbers length = sum_of(direction), reach = numbers(size) + sum_of(origin);
         for (std::size_t i = 0; i < most; ++i) {
-            is_coherent_ = is_coherent_ && slab_numbers<numbers>::fits(largest[i], reach[i]);
+            is_coherent_ = is_coherent_ && slab_numbers<numbers>::fits(length[i], reach[i]);
         }
         if (!is_coherent_) return;
         for (unsigned axis = 0; axis < 3; ++axis) {
             const slab_numbers<numbers> slabs(numbers::load(origin[axis].data()), numbers::load(direction[axis].data()),
-                                              largest, reach);
+                                              length, reach);
             over_direction_[axis] = slabs.over_direction, enter_[axis] = slabs.enter, leave_[axis] = slabs.leave;
             const auto [low_origin, high_origin] = std::ranges::minmax(origin[axis]);
             const auto [low, high] = extremes(slabs.over_direction);

@@ -33,7 +33,6 @@ template <class Tree, class T, class Visit>
 bool visit_leaves_together(const Tree& tree, std::span<const ray<T>> rays, T t_min, T t_max, Visit visit) {
     using leaves = typename Tree::leaves_type;
     if (tree.nodes.empty() || !(t_min <= t_max)) return false;
-    if (!std::ranges::all_of(rays, [](const ray<T>& r) { return runs(r); })) return false;
     const ray_bundle bundle(rays, tree.scale, tree.size);
     if (!bundle.is_coherent()) return false;
     std::array<float, ray_bundle::most> far;
@@ -43,8 +42,7 @@ bool visit_leaves_together(const Tree& tree, std::span<const ray<T>> rays, T t_m
         leaves::with_kind(child::kind(leaf), [&](auto kind) {
             for (; of != 0; of &= of - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(of));
-                const auto lanes = std::get<kind()>(leaves::rays(rays[i]));
-                far[i] = rounded_up(visit(i, kind, child::block(leaf), lanes));
+                far[i] = rounded_up(visit(i, kind, child::block(leaf)));
             }
         });
     };

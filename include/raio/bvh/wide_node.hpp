@@ -69,26 +69,26 @@ struct alignas(64) wide_node {
 /// that the exact ray meets, nor one that holds a crossing whose t was rounded. These constants are found once for each
 /// ray, so that it costs the nodes nothing.
 ///
-/// A direction's component below 2^-30 of the largest is taken for that much: within the scene this moves the ray by
+/// A direction's component below 2^-30 of all of them is taken for that much: within the scene this moves the ray by
 /// less than the above. So no component is zero.
 template <class Numbers>
 struct slab_numbers {
     Numbers over_direction, enter, leave;
     Numbers slack;
 
-    /// \param largest  of the direction's components
-    /// \param reach    the largest coordinate of all boxes and the origin, added up
-    slab_numbers(const Numbers& origin, const Numbers& direction, const Numbers& largest, const Numbers& reach) {
-        Numbers least = largest * Numbers(0x1p-30f);
+    /// \param length  of the direction: its components' sizes, added up
+    /// \param reach   the largest coordinate of all boxes, and the sizes of the origin's components, added up
+    slab_numbers(const Numbers& origin, const Numbers& direction, const Numbers& length, const Numbers& reach) {
+        Numbers least = length * Numbers(0x1p-30f);
         over_direction = Numbers(1) / select(abs(direction) < least, copysign(least, direction), direction);
         slack = reach * Numbers(0x1p-20f) * abs(over_direction) + Numbers(std::numeric_limits<float>::min());
         Numbers k = origin * over_direction;
         enter = k + slack, leave = k - slack;
     }
 
-    /// Out of range the formula is no good, and every box is taken for met.
-    static bool fits(float largest, float reach) {
-        return largest > 0x1p-90f && largest < 0x1p100f && reach < largest * 0x1p90f;
+    /// Out of range the formula is no good. What is not a number is out of range.
+    static bool fits(float length, float reach) {
+        return length > 0x1p-90f && length < 0x1p100f && reach < length * 0x1p90f;
     }
 };
 
@@ -107,12 +107,13 @@ public:
                                    static_cast<float>(v.z * scale), static_cast<float>(v.x * scale)};
             return four::load(lanes);
         };
-        const auto largest_of = [](const four& v) { return max(max(v[0], v[1]), v[2]); };
+        const auto sum_of = [](const four& v) { return v[0] + v[1] + v[2]; };
         four o = in_lanes(ray.origin), d = in_lanes(ray.direction);
-        const float largest = largest_of(abs(d)), reach = size + largest_of(abs(o));
+        const float length = sum_of(abs(d)), reach = size + sum_of(abs(o));
         four r(1), enter(std::numeric_limits<float>::max()), leave = -enter;
-        if (slab_numbers<four>::fits(largest, reach)) [[likely]] {
-            const slab_numbers<four> slabs(o, d, four(largest), four(reach));
+        fits_ = slab_numbers<four>::fits(length, reach);
+        if (fits_) [[likely]] {
+            const slab_numbers<four> slabs(o, d, four(length), four(reach));
             r = slabs.over_direction, enter = slabs.enter, leave = slabs.leave;
         }
         const std::uint32_t backward = bits(r < four(0));
@@ -121,6 +122,10 @@ public:
             over_direction_[i] = numbers(r[i]), enter_[i] = numbers(enter[i]), leave_[i] = numbers(leave[i]);
         }
     }
+
+    /// Is the ray in the range of the formula? Of one that is not, which may be no ray at all, every box is taken for
+    /// met.
+    bool fits() const { return fits_; }
 
     /// Which children are met between `t_min` and `t_max`, one bit for each, and where the ray enters them.
     std::uint32_t meets(const wide_node& node, const numbers& t_min, const numbers& t_max, numbers& entry) const {
@@ -137,6 +142,7 @@ public:
 private:
     std::array<numbers, 3> over_direction_, enter_, leave_;
     std::array<unsigned, 3> near_;
+    bool fits_;
 };
 
 }  // namespace raio::detail
