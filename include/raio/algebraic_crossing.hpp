@@ -147,10 +147,9 @@ RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W,
         chord<W> c = intersect(inside, clip);
         list.certain = list.certain && c.near.certain;
         // A chord that cannot be told from a point is one: edges and tangents belong to the solid.
-        if (!(E(c.far.t - c.near.t) >= -(c.near.error + c.far.error)) || list.count + 2 > list.crossings.size()) return;
+        if (!(E(c.far.t - c.near.t) >= -(c.near.error + c.far.error))) return;
         c.near.exists = c.far.exists = true;
-        list.crossings[list.count++] = c.near;
-        list.crossings[list.count++] = c.far;
+        list.append(c.near), list.append(c.far);
     };
     const chord<W> line = everywhere<W>();
     chord<W> inside = line;

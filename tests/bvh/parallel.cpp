@@ -50,7 +50,15 @@ TEST_CASE("parallel_for: what is thrown comes out when all have stopped, and not
         CHECK(begun < 1'000'000);
         if (threads == 1) CHECK(begun == 6);
     }
-    // Of several one comes out.
+    // Of several one comes out, also if two are thrown at the same time.
+    std::atomic<unsigned> arrived = 0;
+    const auto both = [&](std::size_t i) {
+        ++arrived;
+        while (arrived < 2) std::this_thread::yield();
+        throw i;
+    };
+    CHECK_THROWS_AS(detail::parallel_for(2, 2, both), std::size_t);
+    CHECK(arrived == 2);
     CHECK_THROWS_AS(detail::parallel_for(100, 8, [](std::size_t i) { throw i; }), std::size_t);
 }
 

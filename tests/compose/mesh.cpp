@@ -60,6 +60,19 @@ TEST_CASE_TEMPLATE("mesh: what does not fit together is refused", T, RAIO_NUMBER
     m.normals.clear();
     m.uv.resize(5);
     CHECK_THROWS_AS(m.check(), std::invalid_argument);
+    m.normals.resize(4), m.uv.resize(4);
+    CHECK_NOTHROW(m.check());
+}
+
+TEST_CASE_TEMPLATE("mesh: the nearest of its triangles, in any order, and the first of those that are as near", T,
+                   RAIO_NUMBERS) {
+    const mesh<T> layers{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 1}, {3, 0, 1}, {0, 3, 1}},
+                         {{0, 1, 2}, {3, 4, 5}, {3, 4, 5}, {0, 1, 2}}};
+    hit_record<T> rec;
+    REQUIRE(layers.hit({{1, 1, 9}, {0, 0, -1}}, 0, infinity<T>, rec));
+    CHECK((rec.t == 8 && rec.index == 1));
+    REQUIRE(layers.hit({{1, 1, -9}, {0, 0, 1}}, 0, infinity<T>, rec));
+    CHECK((rec.t == 9 && rec.index == 0));
 }
 
 }  // namespace raio::test

@@ -109,8 +109,13 @@ TEST_CASE_TEMPLATE("quadric: named cases", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("open_quadric: named cases", T, RAIO_NUMBERS) {
     const vec3<T> low(-4), high(4);
     const open_quadric<T> tube{low, high, {1, 1, 0}, {0, 0, 0}, {0, 0, 0}, -4},
-        one_sheet{low, high, {1, 1, -1}, {0, 0, 0}, {0, 0, 0}, -1};
+        one_sheet{low, high, {1, 1, -1}, {0, 0, 0}, {0, 0, 0}, -1},
+        beyond{low, high, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, T(-16641) / 1024},  // |z| = 129 / 32
+        just_within{low, high, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, T(-16129) / 1024};
+    const ray<T> down{{1, 2, 8}, {0, 0, -1}};
     check_cases<open_quadric<T>>({
+        {"a little beyond both ends", beyond, down, misses},
+        {"a little within both ends", just_within, down, enters(8 - 127.0 / 32)},
         {"through both ends", tube, {{1, 0, 8}, {0, 0, -1}}, misses},
         {"from inside", tube, {{0, 0, 0}, {1, 0, 0}}, leaves(2)},
         {"in through an end, onto the wall", tube, {{0, 0, 5}, {1, 0, -1}}, leaves(2)},

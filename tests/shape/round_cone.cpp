@@ -86,6 +86,7 @@ TEST_CASE_TEMPLATE("round_cone: area, and samples spread evenly over it", T, RAI
     check(pear);
     check({{1, 2, 3}, {3, 3, 5}, 2, 1});
     check({{1, 2, 3}, {3, 3, 5}, 2, 2});
+    check({{1, 1, 1}, {1, 1, 1}, 3, 3});
 }
 
 TEST_CASE_TEMPLATE("round_cone: uv", T, RAIO_NUMBERS) {
