@@ -138,10 +138,8 @@ private:
         // The strip to begin with; backwards, the last of those that end where it begins.
         const bool backwards = a_speed < none;
         const std::uint32_t strips = cells(a);
-        std::uint32_t strip = backwards ? strips - 1 : 0;
-        if (const interval<W> start = reach(a, earliest, earliest); is_finite(start.length())) {
-            strip = backwards ? std::min(first_cell(a, start.max) + 1, strips - 1) : first_cell(a, start.min);
-        }
+        const interval<W> start = reach(a, earliest, earliest);
+        std::uint32_t strip = backwards ? std::min(first_cell(a, start.max) + 1, strips - 1) : first_cell(a, start.min);
         for (std::uint32_t left = backwards ? strip + 1 : strips - strip; left > 0;
              --left, strip += backwards ? -1u : 1u) {
             const W low(line(a, strip)), high(line(a, strip + 1));
