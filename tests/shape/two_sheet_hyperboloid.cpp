@@ -54,6 +54,7 @@ TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: named cases", T, RAIO_NUMBERS) {
         {"and out through its rim", cups, up, misses, 3.75},
         {"through the gap", cups, {{-5, 0, 0}, {1, 0, 0}}, misses},
         {"along a rim", cups, {{-5, 1, 0}, {1, 0, 0}}, enters(2)},
+        {"touches a rim from outside", {{2, -2, 0}, {3, -2, -3}, 0.75, 3}, {{4, 3, -3}, {-1, -2, 0}}, enters(1)},
         {"a gap as long as the axis", {{0, -1, 0}, {0, 1, 0}, 1, 3}, up, misses},
         {"direction zero", cups, {{0, 0.75, 0}, {0, 0, 0}}, misses},
         {"window that is not a number", cups, up, misses, nan<T>},

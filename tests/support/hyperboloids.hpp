@@ -78,16 +78,19 @@ struct hyperboloid_subject : revolved_subject<Hyperboloid, hyperboloid_profile> 
         const oracle obtuse = square < 0 ? oracle(1 + abs(slope) / gradient) : oracle(1);
         return {(at.rho * at.rho - constant - square * y * y) / gradient / obtuse, at.beyond_caps() / obtuse};
     }
+    /// Longer along its profile, and by less than that wider: what meets a rim meets the side then.
     static auto grown(auto s) {
-        const vec3<oracle> more = (s.top - s.base) * oracle(1e-40);
-        s.base -= more;
-        s.top += more;
-        // At the old planes, too, both are to be wider, though they have been drawn out.
+        const oracle more(1e-37), longer2 = (1 + 2 * more) * (1 + 2 * more), wider = 1 + oracle(4e-40);
+        const auto [constant, square] = equation<oracle>(s);
+        const vec3<oracle> axis = s.top - s.base;
+        s.base -= axis * more;
+        s.top += axis * more;
+        const oracle end = sqrt(max(oracle(0), oracle(constant + square * longer2))) * wider;
+        s.end_radius = s.end_radius < 0 ? -end : end;  // below zero it is missed, and remains so
         if constexpr (requires { s.gap; }) {
-            s.end_radius *= 1 + oracle(4e-40) / (1 - s.gap * s.gap);
+            s.gap /= sqrt(longer2) * wider;
         } else {
-            s.end_radius *= 1 + oracle(4e-40);
-            s.waist_radius *= 1 + oracle(4e-40);
+            s.waist_radius *= wider;
         }
         return s;
     }
