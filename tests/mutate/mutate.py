@@ -27,7 +27,7 @@ ACCEPTED = pathlib.Path(__file__).with_name("accepted.txt")
 # Which tests answer for a header that has no test of its own name.
 TESTS = {
     "settle.hpp": ["shape/sphere"],
-    "sphere_crossing.hpp": ["shape/sphere", "simd/shapes"],
+    "sphere_crossing.hpp": ["sphere_crossing", "shape/sphere", "simd/shapes"],
     "crossing.hpp": ["crossing", "shape/cylinder", "shape/box"],
     "plane_crossing.hpp": ["plane_crossing", "shape/plane", "shape/disc"],
     "edge_crossing.hpp": ["edge_crossing", "shape/triangle"],
@@ -35,7 +35,7 @@ TESTS = {
     "axial_crossing.hpp": ["shape/cylinder", "shape/frustum", "shape/capsule"],
     "compose/csg.hpp": ["compose/csg"],
     "crossing_list.hpp": ["crossing_list", "shape/torus"],
-    "refine.hpp": ["shape/sphere", "shape/triangle", "shape/cone"],
+    "refine.hpp": ["refine", "shape/sphere", "shape/triangle", "shape/cone"],
     "hit_record.hpp": ["hit_record", "shape/sphere"],
     "aabb.hpp": ["aabb", "shape/disc"],
 }
