@@ -32,11 +32,14 @@ RAIO_FN constexpr point_power<W> power_of_point(const vec3<D>& p, const D& radiu
 /// passes the centre. Written with that distance, s^2 is not a difference of large squares, which is what loses small
 /// and far spheres (Haines, Guenther and Akenine-Moeller, Ray Tracing Gems ch. 7, 2019).
 ///
+/// Always inlined, as the shapes' crossings that ask it: what packs ask here seldom makes it too large for GCC's taste.
+///
 /// \tparam Roundings  1 if only l is rounded, and once; 2 for up to three roundings of each number
 /// \param power        answers with the `point_power` of l, found with more digits than l has: what packs ask of rays
 ///                     that start on the sphere
 template <int Roundings, class W, class Power>
-RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, const W& radius, Power power) {
+[[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, const W& radius,
+                                                               Power power) {
     using E = bound_t<W>;
     vec3<W> moment = cross(l, d);
     W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, passed2 = dot(moment, moment);

@@ -35,7 +35,7 @@ struct ellipsoid {
     RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{center - radii, center + radii}); }
 
     template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
+    [[gnu::always_inline]] RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         using D = wide_t<W>;
         vec3<W> stretch = to_sphere<W>(), to_center = difference_as<W>(center, ray.origin);
         const auto power = [&] {
