@@ -3,6 +3,8 @@
 #include <map>
 #include <optional>
 
+#include <raio/shape/triangle.hpp>
+
 #include "support/binary_trees.hpp"
 
 namespace raio::test {
@@ -110,6 +112,26 @@ TEST_CASE("presplit: pieces hold all of their triangles, are not too many, and o
     CHECK((many.size() > 30'000 && many.size() <= 50'000));
     CHECK(detail::presplit(references, 0.0f, 1, corners_of).size() == references.size());
     CHECK(detail::presplit(std::span<const build_box>(), 0.5f, 1, corners_of).empty());
+}
+
+TEST_CASE("presplit: no piece is empty, however coarsely boxes are rounded") {
+    random_numbers random(5);
+    std::vector<detail::corners> triangles;
+    std::vector<build_box> references;
+    for (std::uint32_t i = 0; i < 3000; ++i) {
+        const auto somewhere = [&] {
+            return vec3<double>(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20));
+        };
+        const vec3<double> from = vec3<double>(1e6, 1e6, 0) + somewhere(), along = somewhere();
+        const triangle<float> t{vec3<float>(from), vec3<float>(from + along),
+                                vec3<float>(from + along * 0.5 + somewhere())};
+        triangles.push_back(detail::corners{vec3<double>(t.a), vec3<double>(t.b), vec3<double>(t.c)});
+        references.push_back(detail::to_build_box(t.bounds(), i));
+    }
+    const auto corners_of = [&](std::uint32_t id) { return std::optional(triangles[id]); };
+    for (const build_box& piece : detail::presplit(references, 20.0f, 1, corners_of)) {
+        for (unsigned axis = 0; axis < 3; ++axis) REQUIRE(piece.low(axis) <= piece.high(axis));
+    }
 }
 
 }  // namespace raio::test

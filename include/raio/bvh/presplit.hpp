@@ -133,8 +133,13 @@ large_vector<build_box> presplit(std::span<const build_box> references, float bu
                 }
                 const float share = extent[0] + extent[1] > 0 ? extent[0] / (extent[0] + extent[1]) : 0.5f;
                 const auto left = static_cast<std::uint64_t>(static_cast<float>(piece.cuts - 1) * share + 0.5f);
-                stack.push_back({halves[0], left});
-                stack.push_back({halves[1], piece.cuts - 1 - left});
+                for (unsigned side = 0; side < 2; ++side) {
+                    // Far off, where boxes are rounded coarsely, one side may hold nothing of the triangle.
+                    const build_box& half = halves[side];
+                    const bool empty =
+                        half.low(0) > half.high(0) || half.low(1) > half.high(1) || half.low(2) > half.high(2);
+                    if (!empty) stack.push_back({half, side == 0 ? left : piece.cuts - 1 - left});
+                }
             }
         }
     });
