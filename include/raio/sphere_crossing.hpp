@@ -15,9 +15,9 @@ struct point_power {
 /// \tparam Roundings  as below
 template <int Roundings, class W, class D>
 RAIO_FN constexpr point_power<W> power_of_point(const vec3<D>& p, const D& radius) {
+    using E = bound_t<W>;
     D p2 = dot(p, p), r2 = radius * radius;
     W value(p2 - r2);
-    using E = bound_t<W>;
     return {value, with_underflow<W>(E(2 * unit_roundoff<W>) * abs(E(value)) +
                                      E(8 * Roundings * unit_roundoff<D>) * E(p2 + r2))};
 }
@@ -32,7 +32,7 @@ RAIO_FN constexpr point_power<W> power_of_point(const vec3<D>& p, const D& radiu
 /// passes the centre. Written with that distance, s^2 is not a difference of large squares, which is what loses small
 /// and far spheres (Haines, Guenther and Akenine-Moeller, Ray Tracing Gems ch. 7, 2019).
 ///
-/// Always inlined, as the shapes' crossings that ask it: what packs ask here seldom makes it too large for GCC's taste.
+/// Always inlined, as what asks it: the part that packs seldom need would make it too large for GCC's taste.
 ///
 /// \tparam Roundings  1 if only l is rounded, and once; 2 for up to three roundings of each number
 /// \param power        answers with the `point_power` of l, found with more digits than l has: what packs ask of rays
@@ -90,6 +90,15 @@ template <int Roundings, class W, class Power>
         }
     }
     return {{exists, certain, near, near_error, exists}, {exists, certain, far, far_error, !exists}};
+}
+
+/// The chord of the ray's line through the sphere about `center`.
+template <class W, real T, real R>
+[[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere_about(const vec3<T>& center, const T& radius,
+                                                                     const ray<R>& ray) {
+    using D = wide_t<W>;
+    const auto power = [&] { return power_of_point<1, W>(difference_as<D>(center, ray.origin), D(radius)); };
+    return cross_sphere<1>(difference_as<W>(center, ray.origin), vec3<W>(ray.direction), W(radius), power);
 }
 
 /// What is missing of a crossing: one step of Newton's method towards |p|^2 = radius^2, whose slope 2 p.d grows by 2

@@ -44,9 +44,7 @@ struct sphere {
 
     template <class W, real R>
     [[gnu::always_inline]] RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        using D = wide_t<W>;
-        return cross_sphere<1>(difference_as<W>(center, ray.origin), vec3<W>(ray.direction), W(radius),
-                               [&] { return power_of_point<1, W>(difference_as<D>(center, ray.origin), D(radius)); });
+        return cross_sphere_about<W>(center, radius, ray);
     }
 
     template <class X, class W>
