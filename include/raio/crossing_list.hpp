@@ -57,6 +57,17 @@ struct crossing_list {
     }
 };
 
+/// Keeps only crossings whose point T can say.
+template <real T, real R, class W, std::size_t N>
+RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, crossing_list<W, N>& list) {
+    std::size_t kept = 0;
+    for (crossing<W> c : list) {
+        keep_if_reachable<T>(ray, c);
+        if (c.exists) list.crossings[kept++] = c;
+    }
+    list.count = kept;
+}
+
 /// Which roots x are wanted, where the crossings wanted are at t = middle + x half.
 /// \param error  of t, besides the error of x times half
 template <class W>

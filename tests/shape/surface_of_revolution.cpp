@@ -614,6 +614,18 @@ TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_
     CHECK(undecided < expected + 3 * std::sqrt(expected));
 }
 
+TEST_CASE("curved surface of revolution: where no number says the point, it is missed") {
+    const float most = std::numeric_limits<float>::max();
+    const curved_surface_of_revolution<float> tower{{0, 0, 0}, {0, most / 2, 0}, {{1, 0}, {1, 1}, {1, 2}, {1, 4}}};
+    const auto rising = [](float y) { return ray<float>{{-5, 0, 0}, {1, y, 0}}; };  // meets it at t = 4, and at t = 6
+    hit_record<float> rec;
+    REQUIRE(tower.hit(rising(most / 16), 0, infinity<float>, rec));
+    CHECK((rec.t == 4 && rec.point.y == most / 4));
+    CHECK(tower.occluded(rising(most / 16), 0, infinity<float>));
+    CHECK(!tower.hit(rising(most / 3), 0, infinity<float>, rec));
+    CHECK(!tower.occluded(rising(most / 3), 0, infinity<float>));
+}
+
 TEST_CASE("curved surface of revolution: as many straight segments") {
     random_numbers random(36);
     int hits = 0, other = 0;

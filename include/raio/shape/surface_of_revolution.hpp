@@ -144,6 +144,7 @@ struct revolved_curve {
         if (!part.exists) return list;
         list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
         start_at_origin(list);
+        keep_if_reachable<T>(ray, list);
         return list;
     }
 
