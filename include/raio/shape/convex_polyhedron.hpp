@@ -166,7 +166,7 @@ private:
             const vec3<exact> n(planes[k].normal);
             exact height = dot(n, point) + exact(planes[k].offset), speed = dot(n, direction);
             exact slack = tiny * (dot(abs(n), abs(point)) + abs(exact(planes[k].offset)));
-            if (abs(speed) <= tiny * dot(abs(n), abs(direction))) {
+            if (!(abs(speed) > tiny * dot(abs(n), abs(direction)))) {  // or numbers out of range
                 if (height > slack) return {point, direction, {}};
             } else if (speed > none) {
                 s.max = min(s.max, (slack - height) / speed);
