@@ -18,6 +18,7 @@
 #include <raio/shape/capsule.hpp>
 #include <raio/shape/cone.hpp>
 #include <raio/shape/convex_polyhedron.hpp>
+#include <raio/shape/curved_surface_of_revolution.hpp>
 #include <raio/shape/cylinder.hpp>
 #include <raio/shape/disc.hpp>
 #include <raio/shape/ellipsoid.hpp>
