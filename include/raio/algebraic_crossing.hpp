@@ -1,15 +1,14 @@
 #pragma once
 
 #include <raio/crossing_list.hpp>
-#include <raio/math/polynomial_product.hpp>
 
 /// \file
 /// Where a line crosses an algebraic surface f(p) = 0, whose solid is where f is negative.
 ///
 /// Along a line f is a polynomial. Its coefficients are those of a part of the line that lies near the shape and has
 /// its size: p(x) = from + x along, t = middle + x half. So no power of a far origin cancels, and all that counts lies
-/// between x = -1 and 1. How far each coefficient may be off is carried along, and the roots (see polynomial.hpp) are
-/// as certain as their signs are beyond that.
+/// between x = -1 and 1. How far each coefficient may be off is carried along, and the roots (see polynomial_roots.hpp)
+/// are as certain as their signs are beyond that.
 
 namespace raio {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <raio/lanes.hpp>
-#include <raio/math/polynomial.hpp>
+#include <raio/math/polynomial_roots.hpp>
 #include <raio/settle.hpp>
 
 /// \file

@@ -39,8 +39,8 @@ TESTS = {
     "hit_record.hpp": ["hit_record", "shape/sphere"],
     "aabb.hpp": ["aabb", "shape/disc"],
 }
-OF_THEIR_NAME = ["math/interval.hpp", "math/double_double.hpp", "math/polynomial.hpp", "math/transform.hpp",
-                 "math/quadratic.hpp", "shape/capsule.hpp", "shape/cone.hpp",
+OF_THEIR_NAME = ["math/interval.hpp", "math/double_double.hpp", "math/polynomial.hpp", "math/polynomial_roots.hpp",
+                 "math/transform.hpp", "math/quadratic.hpp", "shape/capsule.hpp", "shape/cone.hpp",
                  "shape/sphere.hpp", "shape/plane.hpp", "shape/disc.hpp", "shape/ring.hpp", "shape/triangle.hpp",
                  "shape/parallelogram.hpp", "shape/convex_polyhedron.hpp", "shape/watertight_triangle.hpp", "shape/box.hpp",
                  "shape/cylinder.hpp", "shape/torus.hpp", "bvh/assemble.hpp", "bvh/hit_list.hpp", "bvh/leaf.hpp",

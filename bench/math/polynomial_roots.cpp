@@ -1,4 +1,4 @@
-#include <raio/math/polynomial.hpp>
+#include <raio/math/polynomial_roots.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <array>
