@@ -70,16 +70,9 @@ class root_finder {
 public:
     using E = bound_t<W>;
 
+    /// \param p  has to live as long
     RAIO_FN constexpr root_finder(const polynomial<W, N>& p, const W& low, const W& high)
         : p_(p), noise_(p.noise()), low_(low), high_(high) {}
-
-    /// Of the derivative. What bounds its error is no larger than the derivative of what bounds the polynomial's.
-    RAIO_FN constexpr explicit root_finder(const root_finder<W, N + 1>& of) : low_(of.low_), high_(of.high_) {
-        for (std::size_t k = 0; k <= N; ++k) {
-            p_.coefficient[k] = W(static_cast<int>(k + 1)) * of.p_.coefficient[k + 1];
-            noise_.coefficient[k] = E(static_cast<int>(k + 1)) * of.noise_.coefficient[k + 1];
-        }
-    }
 
     /// Can the polynomial be evaluated everywhere in the interval?
     RAIO_FN constexpr bool is_sound() const {
@@ -105,7 +98,7 @@ public:
                 return true;
             }
         }
-        sample before{low_, E(0), 0, E(0)}, first = before, last = before;  // with a sign; first and last without one
+        sample before{low_, E(0), 0, E(0)}, first{}, last{};  // with a sign; first and last without one
         bool is_open = false;
         E highest(0);  // of those without
         const auto take_extremum = [&](const sample& after) {
@@ -140,15 +133,13 @@ public:
                 const polynomial_root<W> at = approached();
                 return reach(sample_at(at.t, at.error, at.height));
             };
-            if (!root_finder<W, N - 1>(*this).template find<true>(between, between, turn)) return false;
+            const polynomial<W, N - 1> slope = p_.derivative();
+            if (!root_finder<W, N - 1>(slope, low_, high_).template find<true>(between, between, turn)) return false;
         }
         return reach(sample_at(high_, E(0), E(0))) && (!is_open || take_extremum({high_, E(0), 0, E(0)}));
     }
 
 private:
-    template <real, std::size_t>
-    friend class root_finder;
-
     struct pair_of_roots {
         std::array<polynomial_root<W>, 2> places;
         std::size_t count = 0;
@@ -175,7 +166,7 @@ private:
     }
 
     /// \param slope  bound of the derivative's magnitude within `reach` of t
-    RAIO_FN constexpr sample sample_at(const W& t, const E& reach, const E& slope) const {
+    [[gnu::always_inline]] RAIO_FN constexpr sample sample_at(const W& t, const E& reach, const E& slope) const {
         W value = p_(t);
         E error = noise_(E(abs(t)) + reach) + reach * slope;
         return {t, reach, sign_beyond(value, error), E(abs(value)) + error};
@@ -219,6 +210,13 @@ private:
         return u * (E(abs(t)) + u * E(high_ - low_));
     }
 
+    /// Its coefficients, in the precision of bounds.
+    RAIO_FN constexpr polynomial<E, N> roughly() const {
+        polynomial<E, N> rough;
+        for (std::size_t k = 0; k <= N; ++k) rough.coefficient[k] = E(p_.coefficient[k]);
+        return rough;
+    }
+
     /// A place between a and b for the first look at the one root there.
     RAIO_FN constexpr W guess(const W& a, const W& b) const {
         W middle = a + (b - a) * W(0.5);
@@ -234,17 +232,14 @@ private:
         // The end that t takes the place of is as good as random: chosen by an index it is not guessed by the
         // processor.
         std::array<W, 2> ends{from.t, to.t};
+        const auto slope_at = roughly().derivative();
+        const auto curvature_at = slope_at.derivative();
         W t = guess(from.t, to.t);
         E slope(0), step = E(to.t - from.t);
         for (int i = 0; i < 256; ++i) {
-            W value = p_.coefficient[N];
-            E x(t), bend(0);  // half of the second derivative
-            slope = E(0);
-            for (std::size_t k = N; k-- > 0;) {
-                bend = bend * x + slope;
-                slope = slope * x + E(value);
-                value = value * t + p_.coefficient[k];
-            }
+            W value = p_(t);
+            E x(t), bend = E(0.5) * curvature_at(x);
+            slope = slope_at(x);
             ends[(value > W(0)) == (to.sign > 0) ? 1 : 0] = t;
             E height(value), off = quotient(height * slope, slope * slope - height * bend, E(infinity<E>));
             W next = t - W(off);
@@ -290,7 +285,7 @@ private:
         }
     }
 
-    polynomial<W, N> p_;
+    const polynomial<W, N>& p_;
     polynomial<E, N> noise_;
     W low_, high_;
 };
@@ -305,11 +300,11 @@ template <real W, std::size_t N>
                                                                          const wanted_roots<W>& wanted = {}) {
     using E = bound_t<W>;
     const detail::root_finder<W, N> finder(p, low, high);
-    if (!finder.is_sound()) return {.certain = false};
     E exact = sqrt(E(16 * unit_roundoff<W>)), coarse(0x1p-7);
-    polynomial_roots<W, N> found;
+    polynomial_roots<W, N> found{.certain = false};
+    if (!finder.is_sound()) return found;
     for (const bool in_haste : {true, false}) {
-        found = {};
+        found.count = 0, found.certain = true;
         const auto take = [&](const detail::enclosure<W>& about, auto approached) {
             if (about.is_one && E(about.high) < wanted.before) return true;
             const bool roughly = about.is_one && E(about.low) > wanted.from && E(about.high) < wanted.to;
