@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <raio/raio.hpp>
 
 #include "support/dual.hpp"
@@ -10,11 +11,16 @@
 
 namespace raio::test {
 
-static_assert(real<float> && real<double> && real<strict_double> && real<double_double> && real<dual> && real<oracle>);
+/// Fifty digits, as they come.
+using multiprecision =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+
+static_assert(real<float> && real<double> && real<strict_double> && real<double_double> && real<dual>);
+static_assert(real<multiprecision> && real<oracle>);
 static_assert(!real<void*> && !real<vec3<float>>);
 static_assert(std::same_as<scalar_t<float>, float> && std::same_as<mask_t<double>, bool>);
 
-static_assert(primitive<sphere<dual>> && primitive<sphere<oracle>>);
+static_assert(primitive<sphere<dual>> && primitive<sphere<multiprecision>>);
 
 static_assert(unit_roundoff<float> == 0x1p-24 && unit_roundoff<double> == 0x1p-53);
 static_assert(infinity<float> > std::numeric_limits<float>::max());
@@ -51,7 +57,7 @@ void ask_everything(const Shape& shape) {
     }
 }
 
-TEST_CASE_TEMPLATE("every shape in numbers from elsewhere", T, dual, oracle) {
+TEST_CASE_TEMPLATE("every shape in numbers from elsewhere", T, dual, multiprecision) {
     const T zero(0), one(1);
     const vec3<T> o(zero, zero, zero), x(one, zero, zero), y(zero, one, zero), z(zero, zero, one);
     const std::vector<half_space<T>> tetrahedron{{z, -one}, {-x - z, -one}, {x - y - z, -one}, {x + y - z, -one}};

@@ -1,6 +1,10 @@
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <string>
 
 #include <raio/math/double_double.hpp>
 
@@ -10,12 +14,55 @@
 
 namespace raio::test {
 
-using oracle = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+/// cpp_bin_float<50> of Boost.Multiprecision. What it computes with stands in oracle.cpp, or every shape of every test
+/// would compile all of it again.
+class oracle {
+public:
+    oracle() : oracle(0.0) {}
+    oracle(double x);
+    explicit oracle(const char* decimal);
+    oracle(std::integral auto x) : oracle(static_cast<double>(x)) {}
+    oracle(const oracle& x);
+    oracle& operator=(const oracle& x);
+
+    explicit operator float() const;
+    explicit operator double() const;
+    std::string str(int digits) const;
+
+    friend oracle operator-(const oracle& a);
+    friend oracle operator+(const oracle& a, const oracle& b);
+    friend oracle operator-(const oracle& a, const oracle& b);
+    friend oracle operator*(const oracle& a, const oracle& b);
+    friend oracle operator/(const oracle& a, const oracle& b);
+    friend bool operator==(const oracle& a, const oracle& b);
+    friend bool operator<(const oracle& a, const oracle& b);
+    friend bool operator<=(const oracle& a, const oracle& b);
+    friend bool operator>(const oracle& a, const oracle& b) { return b < a; }
+    friend bool operator>=(const oracle& a, const oracle& b) { return b <= a; }
+    oracle& operator+=(const oracle& b) { return *this = *this + b; }
+    oracle& operator-=(const oracle& b) { return *this = *this - b; }
+    oracle& operator*=(const oracle& b) { return *this = *this * b; }
+    oracle& operator/=(const oracle& b) { return *this = *this / b; }
+
+    friend oracle sqrt(const oracle& x);
+    friend oracle abs(const oracle& x);
+    friend oracle floor(const oracle& x);
+    friend oracle sin(const oracle& x);
+    friend oracle cos(const oracle& x);
+    friend oracle copysign(const oracle& magnitude, const oracle& sign);
+    friend oracle atan2(const oracle& y, const oracle& x);
+    friend bool isfinite(const oracle& x);
+
+private:
+    friend struct stored;
+
+    alignas(std::max_align_t) std::array<std::byte, 64> number_;
+};
 
 /// The nearest T, of two equally near ones the even one.
 template <class T>
 T rounded(const oracle& x) {
-    return x.convert_to<T>();
+    return static_cast<T>(x);
 }
 
 inline oracle exactly(double x) { return oracle(x); }
@@ -29,3 +76,17 @@ inline oracle exactly(double_double x) {
 }
 
 }  // namespace raio::test
+
+template <>
+class std::numeric_limits<raio::test::oracle> : public std::numeric_limits<double> {
+    using oracle = raio::test::oracle;
+
+public:
+    static constexpr int digits = 168, max_exponent = 2147483311, min_exponent = -2147483312;
+
+    static oracle infinity() { return oracle(std::numeric_limits<double>::infinity()); }
+    static oracle quiet_NaN() { return oracle(std::numeric_limits<double>::quiet_NaN()); }
+    static oracle epsilon();
+    static oracle max();
+    static oracle min();
+};

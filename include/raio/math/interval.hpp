@@ -18,7 +18,9 @@ struct interval {
     RAIO_FN constexpr mask_t<T> empty() const { return !(min <= max); }
     RAIO_FN constexpr mask_t<T> contains(const T& t) const { return every(min <= t, t <= max); }
     RAIO_FN constexpr T length() const { return select(min <= max, max - min, T(0)); }
-    RAIO_FN friend constexpr bool operator==(const interval&, const interval&) = default;
+    RAIO_FN friend constexpr bool operator==(const interval& a, const interval& b) {
+        return a.min == b.min && a.max == b.max;
+    }
 };
 
 /// The room of spans that grow as they must.
