@@ -91,7 +91,7 @@ def outcome(mutation, folder, arguments):
             program = folder / "program"
             compiled = subprocess.run(
                 [arguments.compiler, "-std=c++20", "-O1", "-w", "-DGLM_FORCE_XYZW_ONLY", f"-DRAIO_TEST_RAYS={arguments.rays}",
-                 f"-I{folder}/include", f"-I{ROOT}/tests", f"{ROOT}/tests/{test}.cpp", str(folder / "main.o"), "-o", str(program)],
+                 f"-I{folder}/include", f"-I{ROOT}/tests", f"{ROOT}/tests/{test}.cpp", *map(str, folder.glob("*.o")), "-o", str(program)],
                 capture_output=True)
             if b"static assertion" in compiled.stderr or b"static_assert" in compiled.stderr:
                 return "caught"  # before the program runs
@@ -133,7 +133,9 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         shutil.copytree(ROOT / "include", folder / "include")
-        subprocess.run([arguments.compiler, "-std=c++20", "-O1", "-c", f"{ROOT}/tests/main.cpp", "-o", str(folder / "main.o")], check=True)
+        for shared in ["main", "support/oracle"]:
+            subprocess.run([arguments.compiler, "-std=c++20", "-O2", f"-I{ROOT}/include", f"-I{ROOT}/tests", "-c",
+                            f"{ROOT}/tests/{shared}.cpp", "-o", str(folder / shared.replace("/", "_")) + ".o"], check=True)
         for m in tried:
             result = outcome(m, folder, arguments)
             if result == "survived" and m.becomes in accepted:
