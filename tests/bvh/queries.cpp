@@ -133,10 +133,12 @@ TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, 
         const bvh<mesh_triangle<T>> compact(ball, {.quality = quality});
         CHECK(compact.bytes() < tree.bytes() * 3 / 4);
         for (int i = 0; i < normal_run / 10; ++i) {
-            // From within, through a vertex or the middle of an edge: it is never outside.
+            // From within, through a vertex, or the middle of an edge or a face: it is never outside.
             const std::array<std::uint32_t, 3>& t = ball.triangles[static_cast<std::size_t>(random.integer(0, 319))];
-            const vec3<T> target =
-                random.one_in(2) ? ball.vertices[t[0]] : (ball.vertices[t[0]] + ball.vertices[t[1]]) / T(2);
+            const int corners = random.integer(1, 3);
+            vec3<T> target = ball.vertices[t[0]];
+            for (std::size_t k = 1; k < std::size_t(corners); ++k) target += ball.vertices[t[k]];
+            target /= T(corners);
             const vec3<T> from = within<T>(random, 0.5);
             hit_record<T> expected, found;
             REQUIRE(tree.hit({from, target - from}, T(0), infinity<T>, found));
