@@ -122,7 +122,9 @@ TEST_CASE("presplit: no piece is empty, however coarsely boxes are rounded") {
         const auto somewhere = [&] {
             return vec3<double>(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20));
         };
-        const vec3<double> from = vec3<double>(1e6, 1e6, 0) + somewhere(), along = somewhere();
+        vec3<double> far(1e6);
+        far[static_cast<glm::length_t>(i % 3)] = 0;
+        const vec3<double> from = far + somewhere(), along = somewhere();
         const triangle<float> t{vec3<float>(from), vec3<float>(from + along),
                                 vec3<float>(from + along * 0.5 + somewhere())};
         triangles.push_back(detail::corners{vec3<double>(t.a), vec3<double>(t.b), vec3<double>(t.c)});

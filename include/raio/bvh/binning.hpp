@@ -101,7 +101,7 @@ struct bins {
             for (unsigned b = 0; b + 1 < bin_count; ++b) {
                 side.include(box[axis][b]);
                 before += count[axis][b];
-                if (before == 0 || before == total) continue;
+                if (before == total) break;  // the lowest bin holds the lowest centre, so before > 0
                 const float cost = side.half_area() * static_cast<float>(before) + right_cost[b + 1];
                 if (cost < best.cost) {
                     best = {cost, axis, b, before};

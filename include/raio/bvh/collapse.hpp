@@ -150,8 +150,10 @@ private:
     }
 
     bool becomes_leaf(std::uint32_t n) const {
+        // What cannot be a leaf costs less than infinity, as which it counts: boxes are within 2^41, and the leaves
+        // fit.
         const binary_node& node = binary_.nodes[n];
-        return node.is_leaf() || (leaf_cost(node) <= cost(n, 1) && leaf_cost(node) < build_box::none);
+        return node.is_leaf() || leaf_cost(node) <= cost(n, 1);
     }
 
     /// A wide node to be. Places are counted in the branch that it belongs to.

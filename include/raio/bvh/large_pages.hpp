@@ -26,7 +26,7 @@ struct large_pages {
 
     static constexpr bool is_large(std::size_t n) { return n * sizeof(Value) >= page; }
     static constexpr std::align_val_t alignment(std::size_t n) {
-        return std::align_val_t{is_large(n) ? page : std::max(alignof(Value), line)};
+        return std::align_val_t(is_large(n) ? page : std::max(alignof(Value), line));
     }
 
     Value* allocate(std::size_t n) {

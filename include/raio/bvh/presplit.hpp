@@ -120,19 +120,21 @@ large_vector<build_box> presplit(std::span<const build_box> references, float bu
             while (!stack.empty()) {
                 const open_piece piece = stack.back();
                 stack.pop_back();
-                const unsigned axis = piece.box.largest_axis();
-                if (piece.cuts == 0 || !(piece.box.extent(axis) > 0)) {
+                if (piece.cuts == 0) {  // as of each that has no extent
                     pieces[i].push_back(piece.box);
                     continue;
                 }
+                const unsigned axis = piece.box.largest_axis();
                 const auto halves =
                     split_box(piece.box, *corners_of(piece.box.id()), axis, split_plane(piece.box, scene, axis));
                 std::array<float, 2> extent{};
                 for (unsigned side = 0; side < 2; ++side) {
                     extent[side] = max(0.0f, halves[side].extent(halves[side].largest_axis()));
                 }
-                const float share = extent[0] + extent[1] > 0 ? extent[0] / (extent[0] + extent[1]) : 0.5f;
-                const auto left = static_cast<std::uint64_t>(static_cast<float>(piece.cuts - 1) * share + 0.5f);
+                // Along that axis the triangle is as long as the box, so one half at least has an extent.
+                const float share = extent[0] / (extent[0] + extent[1]);
+                const auto left = std::min(
+                    piece.cuts - 1, static_cast<std::uint64_t>(static_cast<float>(piece.cuts - 1) * share + 0.5f));
                 for (unsigned side = 0; side < 2; ++side) {
                     // Far off, where boxes are rounded coarsely, one side may hold nothing of the triangle.
                     const build_box& half = halves[side];
