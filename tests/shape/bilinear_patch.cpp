@@ -104,6 +104,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: named cases", T, RAIO_NUMBERS) {
     const bilinear_patch<T> fan{{0, 0, 0}, {2, 0, 0}, {0, 0, 0}, {0, 2, 1}},
         bow{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
     const bilinear_patch<T> folded{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}};
+    const bilinear_patch<T> half{{0, 0, 1}, {2, 0, 1}, {0, 2, 1}, {0, 2, 1}};
     const auto down = [](T x, T y) { return ray<T>{{x, y, 5}, {0, 0, -1}}; };
     check_cases<bilinear_patch<T>>({
         {"saddle, from the front", saddle, down(0.5, 0.5), enters(4.75)},
@@ -153,6 +154,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: named cases", T, RAIO_NUMBERS) {
         {"bow, where it is steep", bow, {{0.5, 0.5, -5}, {0, 0, 1}}, leaves(5.5)},
         {"folded: two layers, the lesser u first", folded, down(1.125, 1.125), enters(5)},
         {"folded: the tip is not reached", folded, down(2, 2), misses},
+        {"a triangle, from one number above it", half, {{0.5, 0.5, 1 + eps}, {0, 0, -1}}, enters(eps)},
         {"all in one point", {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{1, 1, 5}, {0, 0, -1}}, misses},
         {"all in one line", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 0, 0}}, down(0.5, 0), misses},
         {"all in one slanted line", {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {-1, -2, -3}}, {{1, 2, 5}, {0, 0, -1}}, misses},

@@ -76,11 +76,9 @@ struct bezier_curve {
         end_of_stretch<W> from{W(0), bound_t<W>(0)};
         bool within = begins_inside;
         for (const polynomial_root<W>& root : roots) {
-            const bool touches = root.before * root.after > 0, goes_on = root.after <= 0;
+            const bool goes_on = root.after <= 0;
             if (!within) from = {max(W(0), root.t - W(root.error)), root.error};
-            if (!goes_on || (within && touches && root.before > 0)) {
-                add(from, {min(W(1), root.t + W(root.error)), root.error});
-            }
+            if (!goes_on) add(from, {min(W(1), root.t + W(root.error)), root.error});
             within = goes_on;
         }
         if (within) add(from, {W(1), bound_t<W>(0)});

@@ -261,7 +261,7 @@ private:
         vec3<W> b = vec3<W>(p10) - origin, c = vec3<W>(p01) - origin, e = vec3<W>(p11) - origin;
         W w00 = dot(b, cross(c, e)), w10 = dot(a, cross(c, e)), w01 = dot(a, cross(b, e)), w11 = dot(a, cross(b, c)),
           zero(0);
-        if (w00 - w10 + w01 == w11) return w00 == zero && w10 == zero && w01 == zero && w11 == zero;
+        if (w00 - w10 + w01 == w11) return w00 == zero && w10 == zero && w01 == zero;  // then w11 is as well
         return w00 * w11 == w10 * w01;
     }
 };
