@@ -102,6 +102,8 @@ TEST_CASE("crossing_list: the first in the window, and whether that is settled")
     CHECK(!first(3.5f, 4.5f).exists);
     // One that exists is not all that is asked: where it is, to the last bit.
     CHECK(!settled_in_window<question::where>(list, 0.0f, 9.0f).known);
+    list.crossings[1].certain = false;
+    CHECK((!settled(2, 9).known && !settled(4, 9).known && settled(0, 9).known));  // from there on, not before
     list.certain = false;
     CHECK((!settled(0, 9).known && !settled(6, 9).known));
 }

@@ -173,6 +173,14 @@ TEST_CASE("nearest: a ray of more digits than the shapes, which have packs or no
     check({{0.1, 0.1, 0}, {0.01, 0, -1}}, in_front, 1);
     check({{1 + 1e-12, 0, 0}, {0, 0, -1}}, half, 2);  // rounded to a float it would touch the spheres
     check({{0.1, 0.1, -7}, {0, 0, -1}}, behind, 0);
+
+    // What knows its own number type only; a miss records nothing.
+    int asked = 0;
+    hit_record<float, double> rec;
+    rec.t = 77;
+    const ray<double> fine{{0, 0, 0}, {1, 0, 0}};
+    CHECK((!detail::hit(mark<float>{false, 5, &asked}, fine, 0.0f, infinity<float>, rec) && rec.t == 77));
+    CHECK((detail::hit(mark<float>{true, 5, &asked}, fine, 0.0f, infinity<float>, rec) && rec.t == 5));
 }
 
 }  // namespace raio::test

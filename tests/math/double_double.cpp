@@ -77,6 +77,10 @@ TEST_CASE("double_double: compares, rounds and changes signs like a number") {
     CHECK(floor(double_double(0x1p70) - double_double(0.5)) == double_double(0x1p70) - one);
     CHECK(copysign(more, double_double(-0.0)) == -more);
     CHECK(static_cast<double>(more) == 1);
+    double_double part = more;
+    CHECK(((part /= less) == more / less && part == more / less));
+    using limits = std::numeric_limits<double_double>;
+    CHECK(limits::epsilon() == std::ldexp(1.0, 1 - limits::digits));
     CHECK(exactly(more) == oracle(1) + oracle(0x1p-80));
 }
 

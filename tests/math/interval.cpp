@@ -22,6 +22,7 @@ TEST_CASE_TEMPLATE("interval: a NaN is in none, and none has a NaN for an end", 
     CHECK(interval<T>{0, nan}.empty());
     CHECK(interval<T>{0, nan}.length() == T(0));
     CHECK(interval<T>{-infinity<T>, infinity<T>}.contains(T(7)));
+    CHECK((interval<T>{0, nan} != interval<T>{0, nan} && interval<T>{nan, 1} != interval<T>{nan, 1}));
 }
 
 template <std::size_t N>

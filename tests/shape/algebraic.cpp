@@ -116,6 +116,7 @@ TEST_CASE_TEMPLATE("algebraic: named cases", T, RAIO_NUMBERS) {
         {"no terms", in_box({}), ahead, misses},
         {"zero times something", in_box({{0, 2, 0, 0}}), ahead, misses},
         {"degree 9", in_box({{-1, 3, 3, 3}}), ahead, misses},
+        {"degree 9, and 2", in_box({{-1, 3, 3, 3}, {1, 2, 0, 0}}), ahead, misses},
         {"zero times degree 9", in_box({{0, 3, 3, 3}, {-1, 0, 0, 0}}), ahead, enters(2)},
         {"a box without thickness", boxed(all, {-1, -1, 0}, {1, 1, 0}), ahead, misses},
         {"a box turned around", boxed(all, {1, 1, 1}, {-1, -1, -1}), ahead, misses},

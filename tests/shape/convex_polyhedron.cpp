@@ -67,6 +67,7 @@ TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many 
     CHECK(area(cube_and<T>({{{0, 0, 0}, -1}})) == T(24));             // no plane at all
     CHECK(area(cube_and<T>({{{0, 0, 1}, 0}})) == T(16));              // through the middle
     CHECK(area({{{0, 0, 1}, 0}}) == infinity<T>);                     // a half-space
+    CHECK(area({{{0, 0, 1}, 0}, {{0, 0, 1}, -1}}) == infinity<T>);    // and a plane beyond
     CHECK(area({{{0, 1, 0}, -1}, {{0, -1, 0}, -1}}) == infinity<T>);  // a slab
     CHECK(area({{{0, 1, 0}, -1}, {{0, -3, 0}, 6}}) == T(0));          // two planes, and nothing between
     CHECK(area({{{1, 0, 0}, 0}, {{0, 1, 0}, 0}}) == infinity<T>);     // a wedge
