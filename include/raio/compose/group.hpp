@@ -30,7 +30,7 @@ namespace detail {
 
 /// How many intervals a ray can be inside a member.
 template <class Member>
-constexpr std::size_t room_of_member() {
+consteval std::size_t room_of_member() {
     using P = typename primitive_of<Member>::type;
     using T = number_t<P>;
     constexpr std::size_t one = room_in<decltype(spans_of(std::declval<const P&>(), std::declval<const ray<T>&>()))>;
@@ -92,7 +92,7 @@ struct group {
     RAIO_FN constexpr mask_t<T> occluded(const ray<R>& ray, T t_min, T t_max) const {
         mask_t<T> found = !(T(0) == T(0));
         for_each([&](const auto& primitive) {
-            found = found || detail::occluded(primitive, ray, t_min, t_max);
+            found = some(found, detail::occluded(primitive, ray, t_min, t_max));
             return !all(found);
         });
         return found;

@@ -22,7 +22,7 @@ namespace raio::detail {
 
 /// The widest register that N numbers fill without a rest; the plain number where there is none.
 template <class S, std::size_t N, std::size_t Width = xsimd::batch<S>::size>
-constexpr auto find_register() {
+consteval auto find_register() {
     if constexpr (Width <= 1) {
         return std::type_identity<S>{};
     } else if constexpr (N % Width == 0 && !std::is_void_v<xsimd::make_sized_batch_t<S, Width>>) {
