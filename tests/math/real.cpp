@@ -30,6 +30,20 @@ static_assert(any(true) && all(true) && !none(true) && !any(false) && !all(false
 static_assert(min(1.0, 2.0) == 1 && max(1.0, 2.0) == 2 && min(2.0f, 1.0f) == 1 && max(2.0f, 1.0f) == 2);
 static_assert(quotient(6.0, 3.0, 7.0) == 2 && quotient(6.0, 0.0, 7.0) == 7 && quotient(6.0, -0.0, 7.0) == 7);
 
+TEST_CASE_TEMPLATE("abs, copysign: as <cmath> has them, before the program runs as well", T, RAIO_NUMBERS) {
+    static_assert(abs(T(-3)) == T(3) && abs(T(3)) == T(3) && copysign(T(-3), T(2)) == T(3) &&
+                  copysign(T(3), T(-0.0)) == T(-3));
+    const auto same = [](T a, T b) { return a == b && std::signbit(a) == std::signbit(b); };
+    using limits = std::numeric_limits<T>;
+    for (const T x : {T(0), T(-0.0), T(1.5), T(-1.5), limits::denorm_min(), -limits::max(), -infinity<T>}) {
+        CHECK((same(detail::constant_abs(x), std::fabs(x)) && same(abs(x), std::fabs(x))));
+        for (const T sign : {T(0), T(-0.0), T(2), T(-2), limits::quiet_NaN(), -limits::quiet_NaN()}) {
+            CHECK((same(detail::constant_copysign(x, sign), std::copysign(x, sign)) &&
+                   same(copysign(x, sign), std::copysign(x, sign))));
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("is_finite: neither infinite nor NaN", T, RAIO_NUMBERS) {
     CHECK(is_finite(std::numeric_limits<T>::max()));
     CHECK(is_finite(-std::numeric_limits<T>::denorm_min()));

@@ -97,6 +97,22 @@ RAIO_FN constexpr Mask some(const Mask& first, const Masks&... rest) {
     }
 }
 
+namespace detail {
+
+// What no compiler need know of <cmath> before the program runs.
+template <std::floating_point T>
+RAIO_FN constexpr T constant_abs(T x) {
+    return x < T(0) ? -x : x + T(0);
+}
+template <std::floating_point T>
+RAIO_FN constexpr T constant_copysign(T magnitude, T sign) {
+    using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    const bool negative = std::bit_cast<bits>(sign) >> (8 * sizeof(T) - 1) != 0;
+    return negative ? -constant_abs(magnitude) : constant_abs(magnitude);
+}
+
+}  // namespace detail
+
 // The functions of <cmath> for the built-in numbers. Those of other number types are found by argument-dependent
 // lookup.
 template <std::floating_point T>
@@ -105,7 +121,7 @@ RAIO_FN constexpr T sqrt(T x) {
 }
 template <std::floating_point T>
 RAIO_FN constexpr T abs(T x) {
-    if (std::is_constant_evaluated()) return x < T(0) ? -x : x + T(0);
+    if (std::is_constant_evaluated()) return detail::constant_abs(x);
     return std::fabs(x);
 }
 template <std::floating_point T>
@@ -122,10 +138,7 @@ RAIO_FN constexpr T cos(T x) {
 }
 template <std::floating_point T>
 RAIO_FN constexpr T copysign(T magnitude, T sign) {
-    if (std::is_constant_evaluated()) {
-        using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-        return std::bit_cast<bits>(sign) >> (8 * sizeof(T) - 1) != 0 ? -abs(magnitude) : abs(magnitude);
-    }
+    if (std::is_constant_evaluated()) return detail::constant_copysign(magnitude, sign);
     return std::copysign(magnitude, sign);
 }
 template <std::floating_point T>
