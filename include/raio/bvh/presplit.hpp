@@ -5,6 +5,7 @@
 #include <raio/bvh/parallel.hpp>
 #include <raio/concepts.hpp>
 
+#include <limits>
 #include <span>
 
 /// \file
@@ -132,7 +133,8 @@ large_vector<build_box> presplit(std::span<const build_box> references, float bu
                     extent[side] = max(0.0f, halves[side].extent(halves[side].largest_axis()));
                 }
                 // Along that axis the triangle is as long as the box, so one half at least has an extent.
-                const float share = extent[0] / (extent[0] + extent[1]);
+                const float both = std::max(extent[0] + extent[1], std::numeric_limits<float>::min());
+                const float share = extent[0] / both;
                 const auto left = std::min(
                     piece.cuts - 1, static_cast<std::uint64_t>(static_cast<float>(piece.cuts - 1) * share + 0.5f));
                 for (unsigned side = 0; side < 2; ++side) {
