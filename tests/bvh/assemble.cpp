@@ -149,11 +149,44 @@ TEST_CASE_TEMPLATE("assembled: what is far from 1 is scaled by a power of two to
     }
 }
 
+TEST_CASE_TEMPLATE("assembled: what is far away along one axis is scaled as well", T, RAIO_NUMBERS) {
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        for (const T side : {T(-1), T(1)}) {
+            std::tuple shapes{std::vector<sphere<T>>(3, {{0, 0, 0}, 1})};
+            for (const int i : {0, 1, 2}) std::get<0>(shapes)[std::size_t(i)].center[axis] = side * T(i) * T(0x1p50);
+            detail::assembled<sphere<T>> tree;
+            tree.build(shapes, {});
+            CHECK((tree.size >= 0.5f && tree.size <= 1.0f));
+            check_assembled(tree, shapes, true);
+        }
+    }
+}
+
+TEST_CASE("assembled: shapes are cut to pieces where that pays") {
+    random_numbers random(6);
+    const auto cost_of = [&](bool large, bvh_quality quality) {
+        random = random_numbers(7);
+        std::vector<triangle<float>> triangles;
+        for (int i = 0; i < 300; ++i) {
+            const vec3<float> a = within<float>(random, 20),
+                              ab = vec3<float>(random.direction()) * (large ? 20.0f : 0.1f);
+            triangles.push_back({a, a + ab, a + ab + vec3<float>(random.direction()) * 0.1f});
+        }
+        detail::assembled<triangle<float>> tree;
+        tree.build(std::tuple(std::move(triangles)), {.quality = quality});
+        return tree.cost;
+    };
+    CHECK(cost_of(true, bvh_quality::high) < cost_of(true, bvh_quality::standard));
+    CHECK(cost_of(false, bvh_quality::high) <= cost_of(false, bvh_quality::standard));
+}
+
 TEST_CASE_TEMPLATE("assembled: shapes without a point stand in no leaf, and keep their number", T, RAIO_NUMBERS) {
     random_numbers random(3);
     std::tuple shapes{random_shapes<sphere<T>>(random, 30), random_shapes<box<T>>(random, 30)};
     auto& [spheres, boxes] = shapes;
-    for (const std::size_t i : {0u, 7u, 29u}) spheres[i].radius = -1, boxes[i].max = boxes[i].min - T(1);
+    glm::length_t axis = 0;
+    for (const std::size_t i : {0u, 7u, 29u})
+        spheres[i].radius = -1, boxes[i].max[axis] = boxes[i].min[axis] - 1, ++axis;
     detail::assembled<sphere<T>, box<T>> tree;
     tree.build(shapes, {});
     std::vector<int> seen(60);

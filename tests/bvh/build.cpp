@@ -16,6 +16,13 @@ binary_tree built(std::vector<build_box> references, detail::build_limits limits
     return detail::binned_builder(references, centers, {first_id}, limits, threads).take();
 }
 
+/// Of the boxes of all nodes: how much there is to be met on the way to the leaves.
+double area_of(const binary_tree& tree) {
+    double sum = 0;
+    for (const detail::binary_node& node : tree.nodes) sum += double(node.box.half_area());
+    return sum;
+}
+
 std::size_t depth_of(const binary_tree& tree) {
     std::vector<std::size_t> depth(tree.nodes.size(), 0);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -39,6 +46,15 @@ TEST_CASE("binned_builder: a tree, of any number of boxes, however the work is d
                 for (const unsigned threads : {2u, 5u}) REQUIRE(same(tree, built(references, limits, threads)));
             }
         }
+    }
+}
+
+TEST_CASE("binned_builder: what lies together stays together, however the work is dealt out") {
+    random_numbers random(4);
+    const std::vector<build_box> references = random_references(random, 2000);
+    const double halved = area_of(built(references, {.leaf = 4, .depth = 0}));
+    for (const std::uint32_t task : {64u, 8192u}) {
+        CHECK(area_of(built(references, {.leaf = 4, .task = task, .part = 50})) < halved / 4);
     }
 }
 

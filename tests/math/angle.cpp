@@ -34,6 +34,11 @@ TEST_CASE_TEMPLATE("latitude: named angles", T, RAIO_NUMBERS) {
     CHECK(latitude(-one, one) == doctest::Approx(0.25));
 }
 
+TEST_CASE_TEMPLATE("fraction: below one, and 0 of what has none", T, RAIO_NUMBERS) {
+    CHECK((fraction(T(2.25)) == T(0.25) && fraction(T(-0.25)) == T(0.75)));
+    CHECK((fraction(T(3)) == T(0) && fraction(T(-1e-30)) == T(0) && fraction(infinity<T>) == T(0)));
+}
+
 TEST_CASE_TEMPLATE("turns and latitude: in range, and as exact as they say", T, RAIO_NUMBERS) {
     random_numbers random(6);
     const double pi = std::numbers::pi, tolerance = sizeof(T) == 4 ? 1e-7 : 1e-15;

@@ -68,6 +68,7 @@ TEST_CASE("double_double: so do products up to the end of the range") {
 
 TEST_CASE("double_double: compares, rounds and changes signs like a number") {
     const double_double one(1), more = one + double_double(0x1p-80), less = one - double_double(0x1p-80);
+    CHECK((one <= double_double(2) && !(double_double(2) <= one) && one <= more && !(more <= one)));
     CHECK((less < one && one < more && more > less && one <= one && one >= one && one == one && one != more));
     CHECK((!(one < one) && !(more < one) && !(more < more) && !(one > one)));
     CHECK((-more < -one && abs(-more) == more && abs(less) == less));

@@ -62,6 +62,13 @@ TEST_CASE("polynomial: a product by hand") {
     CHECK((product<3>(a, b) + product<3>(b, a)).coefficient == std::array{8.0, 26.0, 44.0, 30.0});
 }
 
+TEST_CASE("polynomial: a derivative, a difference and a value by hand") {
+    const polynomial<double, 3> a{{5, 2, 3, 4}}, b{{1, 1, 1, 1}};
+    CHECK(a.derivative().coefficient == std::array{2.0, 6.0, 12.0});
+    CHECK((a - b).coefficient == std::array{4.0, 1.0, 2.0, 3.0});
+    CHECK(a(2) == 53);
+}
+
 TEST_CASE_TEMPLATE("polynomial: the errors bound what the coefficients may be", W, strict_double, double_double) {
     random_numbers random(9);
     for (int i = 0; i < 20'000; ++i) {
@@ -70,6 +77,8 @@ TEST_CASE_TEMPLATE("polynomial: the errors bound what the coefficients may be", 
         const auto a = random_polynomial<W>(random, exact_a), b = random_polynomial<W>(random, exact_b);
         const auto c = random_polynomial<W>(random, exact_c);
         REQUIRE(contains(a + b, exact_a + exact_b));
+        REQUIRE(contains(a - b, exact_a - exact_b));
+        REQUIRE(contains(a.derivative(), exact_a.derivative()));
         REQUIRE(contains(product<5>(a, c), product<5>(exact_a, exact_c)));
         REQUIRE(contains(product<4>(c, c), product<4>(exact_c, exact_c)));
         REQUIRE(

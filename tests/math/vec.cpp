@@ -9,7 +9,11 @@ namespace raio::test {
 static_assert(dot(vec3<double>(1, 2, 3), vec3<double>(4, -5, 6)) == 12);
 static_assert(cross(vec3<float>(1, 0, 0), vec3<float>(0, 1, 0)) == vec3<float>(0, 0, 1));
 static_assert(cross(vec3<float>(1, 2, 3), vec3<float>(2, 3, 5)) == vec3<float>(1, 1, -1));
-static_assert(norm1(vec3<double>(1, -2, 3)) == 6);
+static_assert(norm1(vec3<double>(1, -2, 3)) == 6 && norm1(vec3<double>(-1, 2, -3)) == 6);
+static_assert(abs(vec3<double>(-1, -2, -3)) == vec3<double>(1, 2, 3));
+static_assert(permanent(vec3<double>(-1, 2, -3), vec3<double>(4, -5, 6), vec3<double>(-7, 8, -9)) == 450);
+static_assert(permanent(vec3<double>(1, -2, 3), vec3<double>(-4, 5, -6), vec3<double>(7, -8, 9)) == 450);
+static_assert(is_finite(vec3<float>(1)) && !is_finite(vec3<float>(1, infinity<float>, 1)));
 static_assert(std::same_as<vec3<float>, glm::vec3> && std::same_as<vec2<double>, glm::dvec2>);
 
 TEST_CASE_TEMPLATE("vec: lengths and signs", T, float, double, oracle) {

@@ -83,6 +83,7 @@ TEST_CASE_TEMPLATE("sphere: area, and samples spread evenly over it", T, RAIO_NU
         return vec2<T>(rec.uv.x, (1 - std::cos(rec.uv.y * pi<T>)) / 2);
     };
     check_sampling(sphere<T>{{0, 0, 0}, 1}, to_square);
+    for (const T pole : {T(-1), T(1)}) CHECK(sphere<T>{{0, 0, 0}, 1}.sample({0, (1 + pole) / 2}).normal.y == pole);
     check_sampling(sphere<T>{{-10, 20, 30}, T(0.25)}, to_square);
 }
 

@@ -158,6 +158,9 @@ TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, RAIO_NUM
         });
     };
     check({{0, 0, 0}, {0, 0, 1}, 2, 1});
+    // All of the inside is sampled.
+    for (const T end : {T(0), T(1)})
+        CHECK(std::abs(torus<T>{{0, 0, 0}, {0, 0, 1}, 2, 1}.sample({0, end}).point.z) < 1e-5);
     check({{-10, 20, 30}, {1, 2, 3}, 1, T(0.1)});
 
     random_numbers random(5);
