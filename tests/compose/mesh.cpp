@@ -43,10 +43,10 @@ TEST_CASE_TEMPLATE("mesh: what the vertices have is interpolated", T, RAIO_NUMBE
     CHECK(m.normal_at(above) == above.normal);
     CHECK(m.uv_at(above) == above.uv);
     m.normals = {{0, 0, 2}, {0, 0, 2}, {0, 0, 2}, {0, 0, 2}};
-    m.uv = {{0, 0}, {2, 0}, {2, 4}, {0, 4}};
+    m.uv = {{1, 1}, {3, 1}, {3, 5}, {1, 5}};
     CHECK(m.normal_at(above) == vec3<T>(0, 0, 1));
     CHECK(m.normal_at(below) == vec3<T>(0, 0, -1));
-    CHECK(m.uv_at(above) == vec2<T>(1.5, 1));
+    CHECK(m.uv_at(above) == vec2<T>(2.5, 2));
 }
 
 TEST_CASE_TEMPLATE("mesh: what does not fit together is refused", T, RAIO_NUMBERS) {
