@@ -134,21 +134,6 @@ TEST_CASE("collapser: each reference in one leaf, and the cost as it is said") {
     CHECK(detail::collapser(none, std::span(&blocks, 1), 1).take().nodes.empty());
 }
 
-TEST_CASE("collapser: boxes whose area is out of range are no reason for large leaves") {
-    random_numbers random(4);
-    std::vector<build_box> references;
-    for (std::uint32_t i = 0; i < 100; ++i) {
-        const vec3<float> low = vec3<float>(random.direction()) * 1e31f, size(1e30f);
-        references.push_back(detail::to_build_box(aabb<float>{low, low + size}, i));
-    }
-    const std::uint32_t first_id[] = {0};
-    const binary_tree binary = along_curve(references, {first_id}, 4);
-    const wide_tree wide = detail::collapser(binary, std::span(&blocks, 1), 1).take();
-    wide_check check{binary, wide, references, {first_id}, std::span(&blocks, 1)};
-    check.check(0);
-    for (const int times : check.seen) CHECK(times == 1);
-}
-
 TEST_CASE("collapser: no wide tree costs less") {
     random_numbers random(2);
     for (int i = 0; i < 50; ++i) {

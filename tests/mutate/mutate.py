@@ -26,13 +26,13 @@ ACCEPTED = pathlib.Path(__file__).with_name("accepted.txt")
 
 # Which tests answer for a header that has no test of its own name.
 TESTS = {
-    "settle.hpp": ["shape/sphere"],
+    "settle.hpp": ["settle", "shape/sphere"],
     "sphere_crossing.hpp": ["sphere_crossing", "shape/sphere", "simd/shapes"],
     "crossing.hpp": ["crossing", "shape/cylinder", "shape/box"],
     "plane_crossing.hpp": ["plane_crossing", "shape/plane", "shape/disc"],
     "edge_crossing.hpp": ["edge_crossing", "shape/triangle"],
     "quadric_crossing.hpp": ["quadric_crossing", "shape/cone", "shape/hyperboloid", "shape/two_sheet_hyperboloid"],
-    "axial_crossing.hpp": ["shape/cylinder", "shape/frustum", "shape/capsule"],
+    "axial_crossing.hpp": ["axial_crossing", "shape/cylinder", "shape/frustum", "shape/capsule"],
     "compose/csg.hpp": ["compose/csg"],
     "crossing_list.hpp": ["crossing_list", "shape/torus"],
     "refine.hpp": ["refine", "shape/sphere", "shape/triangle", "shape/cone"],
