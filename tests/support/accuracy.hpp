@@ -137,6 +137,9 @@ bool undecided(const probe<Shape>& p) {
     return false;
 }
 
+/// A count that is expected, and three standard deviations of it: in a short run chance has its share.
+inline double with_chance(double expected) { return expected + 3 * std::sqrt(expected); }
+
 /// Sends rays in numbers. Floats are always right; of the doubles a few may go wrong, and only where double_double says
 /// that it cannot decide: mostly rays from a point of the surface, rounded to double, whose t is below 1e-16 of its
 /// size.
@@ -155,9 +158,7 @@ void check_accuracy(int rays, double excusable = 1e-3) {
     MESSAGE(rays << " rays, " << hits << " hits, t off by up to " << worst_ulp
                  << " ulp more than stated, undecided: " << excused);
     CHECK(hits > rays / 20);
-    // In a short run chance has its share: three standard deviations of so rare a count.
-    const double expected = rays * excusable;
-    CHECK(excused < expected + 3 * std::sqrt(expected));
+    CHECK(excused < with_chance(rays * excusable));
 }
 
 /// In the precision of W: wherever a crossing is certain it exists if and only if the exact one does, and its t is off
@@ -210,7 +211,7 @@ void check_bounds_of_errors(int rays, double may_stay_open = 0.3) {
         for_random_probes<Shape>("bound of the refined", rays,
                                  [&](const auto& p, auto&) { return wrong_refinement(p, refinements, open); });
         MESSAGE(refinements << " crossings refined, left open to the last bit of a double: " << open);
-        CHECK(open < refinements * may_stay_open);
+        CHECK(open < with_chance(refinements * may_stay_open));
     }
 }
 
