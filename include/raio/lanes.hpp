@@ -49,6 +49,16 @@ RAIO_FN auto in_lane(const Packed& packed, std::size_t lane) {
     return plain;
 }
 
+/// The same, of a shape that knows what stands in its lanes.
+template <class P, class Packed>
+requires requires(const Packed packed) { packed.in_lane(0); }
+RAIO_FN const auto& in_lane(const Packed& packed, std::size_t lane) { return packed.in_lane(lane); }
+
+template <has_lanes P>
+RAIO_FN void set_lane(vec3<P>& to, std::size_t lane, const vec3<scalar_t<P>>& from) {
+    to.x.set(lane, from.x), to.y.set(lane, from.y), to.z.set(lane, from.z);
+}
+
 /// `occluded` of a shape of packs whose formula takes another course for each number: lane by lane.
 template <has_lanes P, class Packed>
 RAIO_FN mask_t<P> any_hit_in_lanes(const Packed& packed, const ray<P>& ray, const P& t_min, const P& t_max) {
@@ -69,12 +79,10 @@ RAIO_FN mask_t<P> first_hit_in_lanes(const Packed& packed, const ray<P>& ray, co
     for (std::size_t lane = 0; lane < P::lanes; ++lane) {
         hit_record<scalar_t<P>> own;
         if (!in_lane<P>(packed, lane).hit(in_lane<P>(ray, lane), t_min[lane], t_max[lane], own)) continue;
-        const auto put = [&](vec3<P>& to, const vec3<scalar_t<P>>& from) {
-            to.x.set(lane, from.x), to.y.set(lane, from.y), to.z.set(lane, from.z);
-        };
         found.set(lane, 1), front.set(lane, own.front_face ? 1 : 0);
         candidate.t.set(lane, own.t), candidate.index.set(lane, own.index);
-        put(candidate.point, own.point), put(candidate.normal, own.normal), put(candidate.error, own.error);
+        set_lane(candidate.point, lane, own.point), set_lane(candidate.normal, lane, own.normal);
+        set_lane(candidate.error, lane, own.error);
         candidate.uv.x.set(lane, own.uv.x), candidate.uv.y.set(lane, own.uv.y);
     }
     candidate.front_face = front > P(0);

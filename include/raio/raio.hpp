@@ -7,6 +7,7 @@
 #include <raio/compose/any_primitive.hpp>
 #include <raio/compose/csg.hpp>
 #include <raio/compose/group.hpp>
+#include <raio/compose/in_lanes.hpp>
 #include <raio/compose/mesh.hpp>
 #include <raio/compose/transformed.hpp>
 #include <raio/math/simd.hpp>
