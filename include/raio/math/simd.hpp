@@ -102,20 +102,10 @@ public:
 
     /// As the minimum and the maximum of plain numbers: `a`, unless `b` is smaller or larger.
     RAIO_FN static constexpr pack min(const pack& a, const pack& b) {
-#if defined(XSIMD_WITH_SSE2) && XSIMD_WITH_SSE2  // whose instruction for it is just that
-        if constexpr (!std::is_arithmetic_v<register_type>) {
-            return made([&](std::size_t i) { return xsimd::min(b.registers_[i], a.registers_[i]); });
-        }
-#endif
-        return select(b < a, b, a);
+        return made([&](std::size_t i) { return detail::lesser(a.registers_[i], b.registers_[i]); });
     }
     RAIO_FN static constexpr pack max(const pack& a, const pack& b) {
-#if defined(XSIMD_WITH_SSE2) && XSIMD_WITH_SSE2
-        if constexpr (!std::is_arithmetic_v<register_type>) {
-            return made([&](std::size_t i) { return xsimd::max(b.registers_[i], a.registers_[i]); });
-        }
-#endif
-        return select(a < b, b, a);
+        return made([&](std::size_t i) { return detail::greater(a.registers_[i], b.registers_[i]); });
     }
 
     RAIO_FN friend constexpr pack sqrt(const pack& x) {

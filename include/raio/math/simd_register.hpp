@@ -86,6 +86,33 @@ namespace detail {
 template <class Register>
 using register_mask = decltype(std::declval<Register>() < std::declval<Register>());
 
+/// A register whose floating-point numbers the compiler itself compares and selects.
+template <class Register>
+concept native_register = std::floating_point<typename Register::value_type> && requires(const Register a) {
+    Register(a.data < a.data ? a.data : a.data);
+};
+
+/// In each lane `a`, unless `b` is smaller: which compilers know as one instruction of x86. (What xsimd's own minimum
+/// answers for a NaN has changed with its versions.)
+template <class Register>
+RAIO_FN constexpr Register lesser(const Register& a, const Register& b) {
+    if constexpr (native_register<Register>) {
+        return Register(b.data < a.data ? b.data : a.data);
+    } else {
+        return select(b < a, b, a);
+    }
+}
+
+/// In each lane `a`, unless `b` is larger.
+template <class Register>
+RAIO_FN constexpr Register greater(const Register& a, const Register& b) {
+    if constexpr (native_register<Register>) {
+        return Register(a.data < b.data ? b.data : a.data);
+    } else {
+        return select(a < b, b, a);
+    }
+}
+
 /// Calls `f` with 0, 1, ... N - 1, without a loop: what is indexed with them can live in registers.
 template <std::size_t N, class F>
 RAIO_FN constexpr void repeat(F f) {
