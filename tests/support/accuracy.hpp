@@ -36,8 +36,9 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<numb
     const auto exact_ray = converted<oracle>(ray);
     std::vector crossings = all_crossings<oracle>(exact_shape, exact_ray);
     oracle shape_size = 0;
-    if constexpr (bounded<std::remove_cvref_t<decltype(exact_shape)>>) {
-        const oracle size = norm1(vec3<oracle>(exact_shape.bounds().max - exact_shape.bounds().min));
+    if constexpr (bounded<Shape>) {
+        const aabb<number_t<Shape>> box = shape.bounds();
+        const oracle size = norm1(vec3<oracle>(vec3<oracle>(box.max) - vec3<oracle>(box.min)));
         if (isfinite(size)) shape_size = size;
     }
     const auto add_errors = [&](std::vector<crossing<oracle>>& found, double part) {
