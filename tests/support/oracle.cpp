@@ -2,6 +2,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <cstdint>
 #include <new>
 
 namespace raio::test {
@@ -28,7 +29,20 @@ struct stored {
     }
 };
 
-oracle::oracle(double x) { stored::put(*this, number(x)); }
+oracle::oracle() { stored::put(*this, number()); }
+
+/// By its significand, a whole number, which takes a fifth of the time that Boost takes.
+oracle::oracle(double x) {
+    if (x == 0 || !std::isfinite(x)) {
+        stored::put(*this, number(x));
+        return;
+    }
+    constexpr int digits = std::numeric_limits<double>::digits;
+    int exponent = 0;
+    const auto significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), digits));
+    stored::put(*this, ldexp(number(significand), exponent - digits));
+}
+
 oracle::oracle(const char* decimal) { stored::put(*this, number(decimal)); }
 oracle::oracle(const oracle& x) { stored::put(*this, stored::in(x)); }
 oracle& oracle::operator=(const oracle& x) {

@@ -18,7 +18,7 @@ namespace raio::test {
 /// would compile all of it again.
 class oracle {
 public:
-    oracle() : oracle(0.0) {}
+    oracle();  ///< 0
     oracle(double x);
     explicit oracle(const char* decimal);
     oracle(std::integral auto x) : oracle(static_cast<double>(x)) {}
