@@ -1,3 +1,6 @@
+#include <raio/compose/csg.hpp>
+#include <raio/compose/transformed.hpp>
+
 #include "support/meshes.hpp"
 #include "support/trees.hpp"
 
@@ -191,6 +194,53 @@ TEST_CASE_TEMPLATE("bvh: crossings in order, the nearest few, and a filter", T, 
             REQUIRE(same(rec, first != expected.end() ? *first : hit_record<T>{}));
         }
     }
+}
+
+TEST_CASE_TEMPLATE("bvh: spans are those of the group, and csg takes the tree for one solid", T, RAIO_NUMBERS) {
+    random_numbers random(29);
+    const auto spheres = random_shapes<sphere<T>>(random, 200);
+    const auto boxes = random_shapes<box<T>>(random, 100);
+    const group shapes{spheres, boxes};
+    const box<T> block{vec3<T>(-6), vec3<T>(5)};
+    const auto holes = difference_of(block, shapes);
+    static_assert(solid<bvh<sphere<T>, box<T>>> && !solid<bvh<triangle<T>>> && !solid<bvh<sphere<T>, disc<T>>>);
+    for (const bvh_quality quality : qualities) {
+        const bvh tree(shapes, {.quality = quality});
+        const auto holes_of_tree = difference_of(block, &tree);
+        int found = 0, hits = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const question<T> q(random);
+            const auto inside = tree.spans(q.ray), expected = shapes.spans(q.ray);
+            REQUIRE(std::ranges::equal(inside, expected));
+            found += int(inside.count);
+
+            hit_record<T> rec, of_group;
+            REQUIRE(holes_of_tree.hit(q.ray, q.t_min, q.t_max, rec) == holes.hit(q.ray, q.t_min, q.t_max, of_group));
+            REQUIRE(same(rec, of_group));
+            hits += rec.t > 0;
+        }
+        CHECK(found > 500);
+        CHECK(hits > 100);
+        CHECK(tree.spans({{0, 0, 0}, {0, 0, 0}}).empty());
+    }
+    CHECK(bvh<sphere<T>>().spans({{0, 0, 5}, {0, 0, -1}}).empty());
+}
+
+TEST_CASE_TEMPLATE("bvh: spans along rays that were mapped", T, RAIO_NUMBERS) {
+    random_numbers random(30);
+    const auto spheres = random_shapes<sphere<T>>(random, 200);
+    const group shapes{spheres};
+    const bvh tree{spheres};
+    const transform<T> turned{{1, 2, 0}, {-2, 1, 0}, {0, 0, 3}, {1, 2, 3}};
+    const transformed in_tree(&tree, turned);
+    const transformed in_group(&shapes, turned);
+    int found = 0;
+    for (int i = 0; i < 500; ++i) {
+        const question<T> q(random);
+        REQUIRE(std::ranges::equal(in_tree.spans(q.ray), in_group.spans(q.ray)));
+        found += int(in_tree.spans(q.ray).count);
+    }
+    CHECK(found > 100);
 }
 
 }  // namespace raio::test

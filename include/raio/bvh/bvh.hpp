@@ -25,6 +25,7 @@ template <bounded P, bounded... Rest>
 requires(std::floating_point<number_t<P>> && (std::same_as<number_t<Rest>, number_t<P>> && ...)) class bvh {
     using leaves = typename detail::assembled<P, Rest...>::leaves_type;
     static constexpr std::size_t kind_count = 1 + sizeof...(Rest);
+    static constexpr bool all_solid = solid<P> && (solid<Rest> && ...);
 
 public:
     using number = number_t<P>;
@@ -169,6 +170,26 @@ public:
         return found;
     }
 
+    /// Where the ray is inside any of the shapes, if all of them are solids: so a tree can be cut from a solid, or met
+    /// with one, by `csg`.
+    raio::spans<T, any_number> spans(const ray<T>& ray) const requires all_solid { return spans<T>(ray); }
+    template <real R>
+    raio::spans<T, any_number> spans(const ray<R>& ray) const requires all_solid {
+        std::vector<interval<T>> found;
+        const T from = -infinity<T>, to = infinity<T>;
+        visit_leaves<true>(ray, from, to, [&](auto kind, std::uint32_t block) {
+            for_each_lane<kind()>(block, ray, from, to, [&](const auto& shape, std::uint32_t) {
+                for (const interval<T>& i : raio::spans(detail::spans_of(shape, ray))) found.push_back(i);
+                return true;
+            });
+            return true;
+        });
+        std::ranges::sort(found, {}, &interval<T>::min);
+        raio::spans<T, any_number> inside;
+        for (const interval<T>& i : found) inside.append(i);
+        return inside;
+    }
+
     aabb<T> bounds() const { return tree_.bounds; }
 
     /// What a ray through `bounds` costs, by the surface area heuristic, in tests of a node.
@@ -205,8 +226,8 @@ private:
     }
 
     /// Calls `visit` with the shapes of a leaf that may be crossed, and their ids, as long as it answers true.
-    template <std::size_t Kind, class Visit>
-    void for_each_lane(std::uint32_t block, const ray<T>& ray, T t_min, T t_max, Visit visit) const {
+    template <std::size_t Kind, class R, class Visit>
+    void for_each_lane(std::uint32_t block, const ray<R>& ray, T t_min, T t_max, Visit visit) const {
         const auto found = tree_.leaves.template find<Kind>(block, ray, t_min, t_max);
         const auto& own = std::get<Kind>(tree_.leaves.all);
         for (std::uint32_t left = found.sure | found.open; left != 0; left &= left - 1) {
