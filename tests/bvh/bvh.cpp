@@ -162,6 +162,12 @@ TEST_CASE_TEMPLATE("bvh: shapes without a size, an area or a direction are misse
     }
 }
 
+TEST_CASE("bvh: more shapes than a tree has room for are refused before any is read") {
+    const sphere<float> one{{0, 0, 0}, 1};
+    const std::span<const sphere<float>> too_many(&one, (std::size_t{1} << 27) + 1);
+    CHECK_THROWS_WITH_AS(bvh<sphere<float>>{too_many}, "raio::bvh: more than 2^27 shapes", std::length_error);
+}
+
 TEST_CASE_TEMPLATE("bvh: as deep a tree as shapes of ever smaller sizes make, and no stack overrun", T, RAIO_NUMBERS) {
     std::vector<sphere<T>> shapes;
     for (int i = 0; i < (std::same_as<T, float> ? 100 : 900); ++i) {

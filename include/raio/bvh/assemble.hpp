@@ -33,11 +33,11 @@ public:
         const unsigned threads = thread_count(options.threads);
         build_box centers;
         large_vector<build_box> references = find_references(shapes, threads, centers), pieces;
-        if (options.quality == bvh_quality::high) {
+        if (options.quality == bvh_quality::high && references.size() <= most_shapes / 2) {
             pieces = presplit(references, 0.5f, threads, [&](std::uint32_t id) { return corners_of(shapes, id); });
         }
         trees made = make_trees(references, centers, options.quality, threads);
-        if (options.quality == bvh_quality::high) {
+        if (!pieces.empty()) {
             // Pieces pay where shapes are large and lie across each other; elsewhere they are more to go through.
             trees of_pieces = make_trees(pieces, centers_of(pieces), options.quality, threads);
             if (of_pieces.wide.cost < made.wide.cost) made = std::move(of_pieces);
@@ -53,8 +53,8 @@ public:
     /// Nothing is changed if this throws.
     template <class Sources>
     void refit(const Sources& shapes) {
-        std::uint32_t count = 0;
-        std::apply([&](const auto&... source) { ((count += static_cast<std::uint32_t>(source.size())), ...); }, shapes);
+        std::size_t count = 0;
+        std::apply([&](const auto&... source) { ((count += source.size()), ...); }, shapes);
         if (count != count_) throw std::invalid_argument("raio::bvh: refit with another number of shapes");
         assembled moved;
         moved.first_id_ = first_id_;
@@ -90,6 +90,7 @@ public:
 private:
     static constexpr std::size_t kind_count = sizeof...(Shapes);
     static constexpr std::size_t part_size = 4096;
+    static constexpr std::size_t most_shapes = std::size_t{1} << child::kind_shift;  // each may have a leaf of its own
 
     struct trees {
         binary_tree binary;
@@ -133,11 +134,13 @@ private:
     /// \param centers  becomes the box around their centres
     template <class Sources>
     large_vector<build_box> find_references(const Sources& shapes, unsigned threads, build_box& centers) {
-        count_ = 0;
+        std::size_t count = 0;
         for_each_kind([&](auto kind) {
-            first_id_[kind()] = count_;
-            count_ += static_cast<std::uint32_t>(std::get<kind()>(shapes).size());
+            first_id_[kind()] = static_cast<std::uint32_t>(count);
+            count += std::get<kind()>(shapes).size();
+            if (count > most_shapes) throw std::length_error("raio::bvh: more than 2^27 shapes");
         });
+        count_ = static_cast<std::uint32_t>(count);
         large_vector<build_box> references(count_);
         box_summary found;
         const auto find = [&] {

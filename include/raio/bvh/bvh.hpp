@@ -34,11 +34,12 @@ public:
     bvh() = default;
 
     /// \throws std::invalid_argument  for a shape that is infinite or not a number, named by its index
+    /// \throws std::length_error      for more than 2^27 shapes
     explicit bvh(std::span<const P> shapes, const bvh_options& options = {}) requires(sizeof...(Rest) == 0) {
         tree_.build(std::tuple(shapes), options);
     }
 
-    /// \throws std::invalid_argument  as well
+    /// \throws  the same
     template <class... Members>
     requires(sizeof...(Members) == kind_count) explicit bvh(const group<Members...>& shapes,
                                                             const bvh_options& options = {}) {
@@ -46,8 +47,7 @@ public:
     }
 
     /// The triangles of a mesh; what it has beside them is not taken. A tree of `mesh_triangle` leaves the corners
-    /// where they are, and the mesh has to live longer. \throws std::invalid_argument  as well, and what `mesh::check`
-    /// throws
+    /// where they are, and the mesh has to live longer. \throws  the same, and what `mesh::check` throws
     explicit bvh(const mesh<T>& of, const bvh_options& options = {}) requires(sizeof...(Rest) == 0) {
         of.check();
         tree_.build(std::tuple(triangles_of{of}), options);
