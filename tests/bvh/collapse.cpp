@@ -14,6 +14,9 @@ using detail::wide_tree;
 
 namespace {
 
+/// A tree that is one leaf needs no node to be found.
+bool is_leaf(const wide_tree& wide) { return wide.nodes.size() == 1 && wide.nodes[0].leaf_count == 1; }
+
 /// Each range of references is in one leaf, of its kind and no larger than that takes; each node has one parent; boxes
 /// are around what is below them. What such a tree costs by its own boxes is what is said.
 struct wide_check {
@@ -68,13 +71,11 @@ struct wide_check {
         for (const int times : seen) REQUIRE(times == 1);
         for (const int times : visited) REQUIRE(times == 1);
         sum += double(all.half_area());
-        // A tree that is one leaf needs no node to be found.
-        const bool is_leaf = wide.nodes.size() == 1 && wide.nodes[0].leaf_count == 1;
-        REQUIRE(wide.cost == doctest::Approx(sum / double(all.half_area()) - (is_leaf ? 1 : 0)).epsilon(1e-3));
+        REQUIRE(wide.cost == doctest::Approx(sum / double(all.half_area()) - (is_leaf(wide) ? 1 : 0)).epsilon(1e-3));
     }
 };
 
-/// The least cost of all wide trees that can be made, found by trying them.
+/// The least cost of all wide trees that can be made, that of their memory included, found by trying them.
 struct brute_force {
     const binary_tree& binary;
     std::span<const leaf_kind> costs;
@@ -88,7 +89,7 @@ struct brute_force {
         if (!node.is_leaf()) {
             for (std::size_t left = 1; left < node_width; ++left) {
                 const double sum = in_places(node.first(), left) + in_places(node.first() + 1, node_width - left);
-                least = std::min(least, double(node.box.half_area()) + sum);
+                least = std::min(least, double(node.box.half_area() + detail::collapser::memory_cost(binary)) + sum);
             }
         }
         return least;
@@ -145,7 +146,8 @@ TEST_CASE("collapser: no wide tree costs less") {
         const double area = double(binary.nodes[0].box.half_area());
         if (area == 0) continue;
         const wide_tree wide = detail::collapser(binary, costs, 1).take();
-        REQUIRE(wide.cost == doctest::Approx(brute_force{binary, costs}.best(0) / area).epsilon(1e-5));
+        const double memory = is_leaf(wide) ? 0 : detail::collapser::memory_cost(binary) * double(wide.nodes.size());
+        REQUIRE(wide.cost * area + memory == doctest::Approx(brute_force{binary, costs}.best(0)).epsilon(1e-5));
         wide_check{binary, wide, references, {first_id}, costs}();
     }
 }

@@ -13,8 +13,11 @@
 /// bottom to the top (Ylitie, Karras and Laine, Efficient incoherent ray traversal on GPUs through compressed wide
 /// BVHs, 2017):
 ///
-///     c(n, 1) = min(leaf(n), area(n) node + d(n, width)),   c(n, i) = min(d(n, i), c(n, i - 1)),
-///     d(n, i) = min over k of c(left, k) + c(right, i - k).
+///     c(n, 1) = min(leaf(n), area(n) + memory + d(n, width)),   c(n, i) = min(d(n, i), c(n, i - 1)),
+///     d(n, i) = min over k of c(left, k) + c(right, i - k),
+///
+/// a node counting 1, and a little more for the memory it takes up: or of trees that cost the same, there would be some
+/// with half of their places empty.
 
 namespace raio::detail {
 
@@ -46,11 +49,19 @@ public:
         : binary_(tree), kinds_(kinds), cost_(tree.nodes.size() / 2) {
         wide_.leaves.resize(kinds.size());
         if (tree.nodes.empty()) return;
+        memory_ = memory_cost(tree);
         // The nodes of a part have their children in it, but for the first part, which is on top of all.
         parallel_for(tree.parts.size() - 1, threads, [&](std::size_t i) { find_costs(tree.parts[i + 1]); });
         find_costs(tree.parts[0]);
         emit_all(threads);
-        wide_.cost = quotient(static_cast<double>(cost(0, 1)), static_cast<double>(area(0)), 1.0);
+        const double memory = becomes_leaf(0) ? 0 : memory_ * static_cast<double>(wide_.nodes.size());
+        wide_.cost = quotient(static_cast<double>(cost(0, 1)) - memory, static_cast<double>(area(0)), 1.0);
+    }
+
+    /// What the memory of a wide node costs: ten times as much as a ray through the box of all, were there as many
+    /// nodes as leaves.
+    static float memory_cost(const binary_tree& tree) {
+        return 20 * tree.nodes[0].box.half_area() / static_cast<float>(tree.nodes.size());
     }
 
     wide_tree take() { return std::move(wide_); }
@@ -101,7 +112,7 @@ private:
             } else {
                 for (std::size_t k = 1; k < width; ++k) give(cost_[one->first() / 2][k - 1], k);
             }
-            const float as_node = n.box.half_area() + distributed[width - 1];
+            const float as_node = n.box.half_area() + memory_ + distributed[width - 1];
             // More places never cost more.
             cost_[n.first() / 2] = costs::min(distributed, costs(std::min(leaf_cost(n), as_node)));
         }
@@ -253,6 +264,7 @@ private:
     const binary_tree& binary_;
     std::span<const leaf_kind> kinds_;
     large_vector<costs> cost_;
+    float memory_ = 0;
     wide_tree wide_;
 };
 

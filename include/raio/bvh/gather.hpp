@@ -32,6 +32,15 @@ template <class Shape>
 concept gatherable = std::floating_point<number_t<Shape>> &&
     (brings_lanes<Shape> || gatherable_as<Shape, pack<number_t<Shape>, 4>>);
 
+/// A shape that is the hull of three corners.
+template <class Shape>
+concept three_cornered = requires(const Shape s) {
+    { s.a } -> std::convertible_to<vec3<number_t<Shape>>>;
+    { s.b } -> std::convertible_to<vec3<number_t<Shape>>>;
+    { s.c } -> std::convertible_to<vec3<number_t<Shape>>>;
+    s.area();
+};
+
 /// Room for N shapes, lane by lane.
 template <gatherable Shape, std::size_t N>
 class gathered_numbers {

@@ -12,12 +12,34 @@
 /// Shapes that fit in packs stand in blocks, and a block is tested together, in the precision of the pack. Its
 /// crossings state their errors: so the answer of a lane is a fact, or it is open, and then the plain shape is asked.
 
-namespace raio::detail {
+namespace raio {
+
+template <real T>
+struct sphere;
+template <real T>
+struct box;
+template <real T>
+struct parallelogram;
+
+namespace detail {
+
+/// Are eight shapes tested about as fast as the boxes of a node?
+template <class Shape>
+inline constexpr bool tested_quickly = three_cornered<Shape> || brings_lanes<Shape>;
+template <class T>
+inline constexpr bool tested_quickly<sphere<T>> = true;
+template <class T>
+inline constexpr bool tested_quickly<box<T>> = true;
+template <class T>
+inline constexpr bool tested_quickly<parallelogram<T>> = true;
 
 /// The lanes of a block: as many as a register has, but no more than are worth it. A block of sixteen takes twice as
-/// long as one of eight, and most of its shapes are missed.
+/// long as one of eight, and most of its shapes are missed. Of shapes that take longer each has a leaf of its own: a
+/// ray that enters the box around eight meets the boxes of one or none of them, and a node tests all of these at once.
 template <class Shape>
-inline constexpr std::size_t block_lanes = std::clamp<std::size_t>(native_lanes<number_t<Shape>>, 4, 8);
+inline constexpr std::size_t block_lanes = tested_quickly<Shape>
+                                               ? std::clamp<std::size_t>(native_lanes<number_t<Shape>>, 4, 8)
+                                               : 1;
 
 /// What is known of the crossings of N lanes: those of which a bit is set in `sure` lie in [low, high], and that in
 /// the window; those in `open` may do anything.
@@ -190,4 +212,6 @@ findings<typename Leaves::T, Leaves::lanes> open_lanes(const Leaves& leaves, std
 template <class Shape>
 using leaves_of = std::conditional_t<gatherable<Shape>, leaf_blocks<Shape>, leaf_list<Shape>>;
 
-}  // namespace raio::detail
+}  // namespace detail
+
+}  // namespace raio

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <raio/bvh/binning.hpp>
+#include <raio/bvh/gather.hpp>
 #include <raio/bvh/large_pages.hpp>
 #include <raio/bvh/parallel.hpp>
-#include <raio/concepts.hpp>
 
 #include <limits>
 #include <span>
@@ -13,15 +13,6 @@
 /// (Karras and Aila, Fast parallel construction of high-quality bounding volume hierarchies, 2013, section 4.3).
 
 namespace raio::detail {
-
-/// A shape that is the hull of three corners.
-template <class Shape>
-concept three_cornered = requires(const Shape s) {
-    { s.a } -> std::convertible_to<vec3<number_t<Shape>>>;
-    { s.b } -> std::convertible_to<vec3<number_t<Shape>>>;
-    { s.c } -> std::convertible_to<vec3<number_t<Shape>>>;
-    s.area();
-};
 
 /// The corners, in the scale of the boxes.
 using corners = std::array<vec3<double>, 3>;
