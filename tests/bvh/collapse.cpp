@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <set>
+
 #include <raio/bvh/morton.hpp>
 
 #include "support/binary_trees.hpp"
@@ -27,32 +29,39 @@ struct wide_check {
     std::span<const leaf_kind> costs;
     std::vector<int> seen = std::vector<int>(references.size(), 0);
     std::vector<int> visited = std::vector<int>(wide.nodes.size(), 0);
-    double sum = 0;
+    double sum = 0, memory = 0;  ///< what it costs, and what the memory of its nodes would
 
-    build_box check(std::uint32_t i) {
+    /// Answers with what is below, as if it were a leaf of the binary tree.
+    binary_node check(std::uint32_t i) {
         const wide_node& node = wide.nodes[i];
         ++visited[i];
         build_box all;
+        std::size_t count = 0;
+        std::set<std::uint32_t> kinds;
         for (std::size_t place = 0; place < node_width; ++place) {
             const build_box box = node.box(place);
             if (box.low(0) > box.high(0)) continue;
             const std::uint32_t child = node.child_at(place);
-            build_box below;
+            binary_node below;
             if (detail::child::is_leaf(child)) {
                 REQUIRE(place < node.leaf_count);
                 below = check_leaf(detail::child::kind(child), detail::child::block(child));
             } else {
                 REQUIRE((i < child && child < wide.nodes.size()));
                 below = check(child);
-                sum += double(below.half_area());
             }
-            REQUIRE(same_corners(below, box));
-            all.include(box);
+            REQUIRE(same_corners(below.box, box));
+            all.include(below.box);
+            count += below.count();
+            kinds.insert(below.kind());
         }
-        return all;
+        const binary_node made =
+            binary_node::leaf(all, 0, count, kinds.size() == 1 ? *kinds.begin() : binary_node::mixed);
+        if (!is_leaf(wide)) sum += double(all.half_area()), memory += double(detail::memory_cost(made, costs));
+        return made;
     }
 
-    build_box check_leaf(std::uint32_t kind, std::uint32_t block) {
+    binary_node check_leaf(std::uint32_t kind, std::uint32_t block) {
         const leaf_range range = wide.leaves[kind][block];
         REQUIRE((1 <= range.count && range.count <= costs[kind].lanes));
         build_box below;
@@ -63,15 +72,14 @@ struct wide_check {
             below.include(references[id]);
         }
         sum += double(below.half_area() * costs[kind].of(range.count));
-        return below;
+        return binary_node::leaf(below, 0, range.count, kind);
     }
 
     void operator()() {
-        const build_box all = check(0);
+        const double area = double(check(0).box.half_area());
         for (const int times : seen) REQUIRE(times == 1);
         for (const int times : visited) REQUIRE(times == 1);
-        sum += double(all.half_area());
-        REQUIRE(wide.cost == doctest::Approx(sum / double(all.half_area()) - (is_leaf(wide) ? 1 : 0)).epsilon(1e-3));
+        REQUIRE(wide.cost == doctest::Approx(area > 0 ? sum / area : 1).epsilon(1e-3));
     }
 };
 
@@ -89,7 +97,7 @@ struct brute_force {
         if (!node.is_leaf()) {
             for (std::size_t left = 1; left < node_width; ++left) {
                 const double sum = in_places(node.first(), left) + in_places(node.first() + 1, node_width - left);
-                least = std::min(least, double(node.box.half_area() + detail::collapser::memory_cost(binary)) + sum);
+                least = std::min(least, double(node.box.half_area() + detail::memory_cost(node, costs)) + sum);
             }
         }
         return least;
@@ -110,6 +118,7 @@ binary_tree along_curve(std::span<const build_box> references, detail::kinds kin
 }
 
 constexpr leaf_kind blocks{.lanes = 4, .block_cost = 1, .shape_cost = 0};
+constexpr leaf_kind single{.lanes = 1, .block_cost = 1, .shape_cost = 0};
 constexpr leaf_kind lists{.lanes = 4, .block_cost = 0, .shape_cost = 1};
 
 }  // namespace
@@ -120,11 +129,11 @@ TEST_CASE("collapser: each reference in one leaf, and the cost as it is said") {
         const std::vector<build_box> references = random_references(random, count);
         const auto n = static_cast<std::uint32_t>(count);
         const std::uint32_t first_id[] = {0, n / 2, n / 2 + n / 3};
-        const leaf_kind costs[] = {blocks, lists, blocks};
         for (const std::size_t kinds : {1u, 3u}) {
             const std::span<const std::uint32_t> ids = std::span(first_id).first(kinds);
-            const std::span<const leaf_kind> kind_costs = std::span(costs).first(kinds);
             for (const std::uint32_t leaf : {1u, 4u}) {
+                const leaf_kind costs[] = {blocks, lists, leaf == 1 ? single : blocks};
+                const std::span<const leaf_kind> kind_costs = std::span(costs).first(kinds);
                 const binary_tree binary = along_curve(references, {ids}, leaf);
                 const wide_tree wide = detail::collapser(binary, kind_costs, 1).take();
                 wide_check{binary, wide, references, {ids}, kind_costs}();
@@ -141,14 +150,12 @@ TEST_CASE("collapser: no wide tree costs less") {
         const std::vector<build_box> references =
             random_references(random, static_cast<std::size_t>(random.integer(1, 9)));
         const std::uint32_t first_id[] = {0, 4};
-        const leaf_kind costs[] = {blocks, lists};
+        const leaf_kind costs[] = {random.one_in(2) ? blocks : single, random.one_in(2) ? lists : single};
         const binary_tree binary = along_curve(references, {first_id}, 1);
-        const double area = double(binary.nodes[0].box.half_area());
-        if (area == 0) continue;
         const wide_tree wide = detail::collapser(binary, costs, 1).take();
-        const double memory = is_leaf(wide) ? 0 : detail::collapser::memory_cost(binary) * double(wide.nodes.size());
-        REQUIRE(wide.cost * area + memory == doctest::Approx(brute_force{binary, costs}.best(0)).epsilon(1e-5));
-        wide_check{binary, wide, references, {first_id}, costs}();
+        wide_check check{binary, wide, references, {first_id}, costs};
+        check();
+        REQUIRE(check.sum + check.memory == doctest::Approx(brute_force{binary, costs}.best(0)).epsilon(1e-5));
     }
 }
 

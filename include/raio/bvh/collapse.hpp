@@ -13,11 +13,10 @@
 /// bottom to the top (Ylitie, Karras and Laine, Efficient incoherent ray traversal on GPUs through compressed wide
 /// BVHs, 2017):
 ///
-///     c(n, 1) = min(leaf(n), area(n) + memory + d(n, width)),   c(n, i) = min(d(n, i), c(n, i - 1)),
+///     c(n, 1) = min(leaf(n), area(n) + memory(n) + d(n, width)),   c(n, i) = min(d(n, i), c(n, i - 1)),
 ///     d(n, i) = min over k of c(left, k) + c(right, i - k),
 ///
-/// a node counting 1, and a little more for the memory it takes up: or of trees that cost the same, there would be some
-/// with half of their places empty.
+/// where memory(n) keeps trees whose leaves are single shapes from nodes that are all but empty.
 
 namespace raio::detail {
 
@@ -35,6 +34,13 @@ struct leaf_range {
     std::uint32_t first, count;
 };
 
+/// What a wide node that is made of this one costs for the memory that it takes: the more, the fewer shapes share it.
+/// Blocks of shapes fill it by themselves.
+inline float memory_cost(const binary_node& n, std::span<const leaf_kind> kinds) {
+    if (n.kind() != binary_node::mixed && kinds[n.kind()].lanes > 1) return 0;
+    return 8 * n.box.half_area() / static_cast<float>(n.count());
+}
+
 struct wide_tree {
     large_vector<wide_node> nodes;                 ///< the root is node 0
     std::vector<large_vector<leaf_range>> leaves;  ///< of each kind
@@ -49,19 +55,10 @@ public:
         : binary_(tree), kinds_(kinds), cost_(tree.nodes.size() / 2) {
         wide_.leaves.resize(kinds.size());
         if (tree.nodes.empty()) return;
-        memory_ = memory_cost(tree);
         // The nodes of a part have their children in it, but for the first part, which is on top of all.
         parallel_for(tree.parts.size() - 1, threads, [&](std::size_t i) { find_costs(tree.parts[i + 1]); });
         find_costs(tree.parts[0]);
         emit_all(threads);
-        const double memory = becomes_leaf(0) ? 0 : memory_ * static_cast<double>(wide_.nodes.size());
-        wide_.cost = quotient(static_cast<double>(cost(0, 1)) - memory, static_cast<double>(area(0)), 1.0);
-    }
-
-    /// What the memory of a wide node costs: ten times as much as a ray through the box of all, were there as many
-    /// nodes as leaves.
-    static float memory_cost(const binary_tree& tree) {
-        return 20 * tree.nodes[0].box.half_area() / static_cast<float>(tree.nodes.size());
     }
 
     wide_tree take() { return std::move(wide_); }
@@ -112,7 +109,7 @@ private:
             } else {
                 for (std::size_t k = 1; k < width; ++k) give(cost_[one->first() / 2][k - 1], k);
             }
-            const float as_node = n.box.half_area() + memory_ + distributed[width - 1];
+            const float as_node = n.box.half_area() + memory_cost(n, kinds_) + distributed[width - 1];
             // More places never cost more.
             cost_[n.first() / 2] = costs::min(distributed, costs(std::min(leaf_cost(n), as_node)));
         }
@@ -183,6 +180,7 @@ private:
         std::vector<std::uint32_t> leaf_count{};  ///< of each kind
         std::uint32_t first_node = 1;             ///< where those below the root stand in the wide tree
         std::vector<std::uint32_t> first_leaf{};  ///< and the leaves of each kind
+        double cost = 0;                          ///< of all of these
     };
 
     choice choose_children(std::uint32_t n) const {
@@ -215,8 +213,11 @@ private:
             }
             choice made = choose_children(current.binary);
             made.place = current.place, made.first_node = all.places;
+            if (!becomes_leaf(current.binary)) all.cost += static_cast<double>(area(current.binary));
             for (std::uint32_t i = 0; i < made.leaf_count; ++i) {
-                ++all.leaf_count[binary_.nodes[made.children[i]].kind()];
+                const binary_node& leaf = binary_.nodes[made.children[i]];
+                ++all.leaf_count[leaf.kind()];
+                all.cost += static_cast<double>(leaf_cost(leaf));
             }
             all.places += made.count - made.leaf_count;
             for (std::uint32_t i = made.count; i-- > made.leaf_count;) {
@@ -251,11 +252,14 @@ private:
         branches.push_back(std::move(top));
         std::uint32_t first_node = branches.back().places;
         std::vector<std::uint32_t> first_leaf(kinds_.size(), 0);
+        double cost = 0;
         for (branch& b : branches) {
+            cost += b.cost;
             if (&b != &branches.back()) b.first_node = std::exchange(first_node, first_node + b.places - 1);
             b.first_leaf = first_leaf;
             for (std::size_t kind = 0; kind < kinds_.size(); ++kind) first_leaf[kind] += b.leaf_count[kind];
         }
+        wide_.cost = quotient(cost, static_cast<double>(area(0)), 1.0);
         wide_.nodes.resize(first_node);
         for (std::size_t kind = 0; kind < kinds_.size(); ++kind) wide_.leaves[kind].resize(first_leaf[kind]);
         parallel_for(branches.size(), threads, [&](std::size_t i) { emit(branches[i]); });
@@ -264,7 +268,6 @@ private:
     const binary_tree& binary_;
     std::span<const leaf_kind> kinds_;
     large_vector<costs> cost_;
-    float memory_ = 0;
     wide_tree wide_;
 };
 
