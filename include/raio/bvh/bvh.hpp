@@ -16,8 +16,9 @@ namespace raio {
 ///
 /// It answers what the plain loop over all shapes answers, bit for bit: the nearest is hit, and of equally near ones
 /// the first. `hit_record::index` counts the shapes in the order in which they were given. The tree has as many
-/// children a node as the processor's registers have lanes, and its leaves are blocks of shapes in packs, which filter;
-/// the plain shapes decide. So boxes, tree and packs make it fast and nothing else.
+/// children a node as the processor's registers have lanes, and its leaves are shapes in packs, eight together or, of
+/// those that take longer to test, one; they filter, and the plain shapes decide. So boxes, tree and packs make it fast
+/// and nothing else.
 ///
 /// The shapes are copied, but for those of a `bvh<mesh_triangle<T>>`. Every shape must have finite bounds; shapes
 /// without any point are left out.
