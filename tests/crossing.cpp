@@ -171,6 +171,32 @@ TEST_CASE("crossing: only what the ray reaches in numbers of its type is kept") 
     }
 }
 
+TEST_CASE("crossing: what is out of the window, whatever way and size are off by") {
+    random_numbers random(1);
+    int out = 0, may_be_in = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const auto some_error = [&] { return random.one_in(2) ? 0.0 : random.log_uniform(1e-6, 1); };
+        const double size = random.log_uniform(1e-2, 1e2), way = random.uniform(-3, 3) * size;
+        const double size_error = some_error() * size / 4, way_error = some_error() * size;
+        const double from = random.uniform(-2, 2), to = from + random.uniform(0, 2);
+        double t_min = infinity<double>, t_max = -infinity<double>;
+        for (const double w : {way - way_error, way + way_error}) {
+            for (const double s : {size - size_error, size + size_error}) {
+                t_min = std::min(t_min, w / s), t_max = std::max(t_max, w / s);
+            }
+        }
+        const bool all_out = t_max < from || t_min > to;
+        const bool unwanted = is_unwanted(first_from<double>{from, to, false}, way, way_error, size, size_error);
+        if (unwanted) REQUIRE(all_out);
+        out += all_out ? 1 : 0, may_be_in += all_out && !unwanted ? 1 : 0;
+        CHECK(!is_unwanted(every_crossing{}, way, way_error, size, size_error));
+        CHECK(!is_unwanted(first_from<float>{1e30f, 2e30f, false}, way, way_error, size, size_error));
+    }
+    CHECK(may_be_in < out / 4);
+    CHECK(!is_unwanted(first_from<double>{-infinity<double>, infinity<double>, false}, 1.0, 0.5, 1.0, 0.5));
+    CHECK(!is_unwanted(first_from<double>{0, infinity<double>, false}, 0.0, 0.0, 0.0, 0.0));
+}
+
 TEST_CASE("crossing: nothing is left to find out where both are missed beyond doubt") {
     for (const bool exists : {false, true}) {
         for (const bool certain : {false, true}) {

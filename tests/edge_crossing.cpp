@@ -17,14 +17,16 @@ TEST_CASE("edge_crossing: the bounds of t, u, v and of what is missing, from abo
         const vec3<double> normal = cross(b - a, c - a);
         const ray<double> ray{a + all_but_across(normal, random), all_but_across(normal, random)};
         const vec3<W> corner(a);
-        const auto met = cross_edges(corner, vec3<W>(b) - corner, vec3<W>(c) - corner, ray);
+        const auto anywhere = [](const W&, const W&, const W&) { return infinity<W>; };
+        const auto met = cross_edges(corner, vec3<W>(b) - corner, vec3<W>(c) - corner, ray, anywhere);
         if (met.size == W(0)) continue;  // there is no side to be on
         const vec3<oracle> e1 = vec3<oracle>(b) - vec3<oracle>(a), e2 = vec3<oracle>(c) - vec3<oracle>(a);
         const vec3<oracle> d(ray.direction), s = vec3<oracle>(ray.origin) - vec3<oracle>(a), n = cross(e1, e2);
         const oracle det = -dot(d, n), sign = met.at.entering ? 1 : -1;
         of_size.add(test::exactly(met.size) - det * sign, met.size_error);
-        of_u.add(test::exactly(met.u) - dot(s, cross(d, e2)) * sign, met.u_error);
-        of_v.add(test::exactly(met.v) - dot(d, cross(s, e1)) * sign, met.v_error);
+        const oracle u = dot(s, cross(d, e2)) * sign, v = dot(d, cross(s, e1)) * sign;
+        of_u.add(test::exactly(met.u) - u, met.u_error);
+        of_v.add(test::exactly(met.v) - v, met.v_error);
         if (!met.at.certain) continue;
         of_t.add(test::exactly(met.at.t) - dot(s, n) / det, met.at.error);
 

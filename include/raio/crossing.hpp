@@ -60,6 +60,9 @@ RAIO_FN constexpr bound_t<W> closest_triple_product_bound(const vec3<W>& a, cons
     }
 }
 
+/// The only crossing there is, which is known to exist, and to be wanted.
+struct known_crossing {};
+
 /// One crossing of the line `origin + t * direction` with a surface, in the precision of W. No member is a vector:
 /// GLM's are unions unless it is told otherwise, and GCC keeps an aggregate with a union in memory.
 template <class W>
@@ -72,6 +75,7 @@ struct crossing {
     index_t<W> face = {};  ///< which face of the shape, as the shape counts them
     W u = W(0), v = W(0);  ///< where on it, if the shape finds that on the way
     mask_t<W> shared{};    ///< may it be another face that is crossed there?
+    bool missed = false;   ///< is nothing left to find out: does every lane's line miss, beyond doubt?
 };
 
 /// All crossings of a line are wanted.
@@ -84,6 +88,23 @@ struct first_from {
     T t_min, t_max;
     bool roughly;  ///< is it enough to know whether it is in there?
 };
+
+/// Is the crossing at t = way / size out of the window, whatever the rounding errors were? Nothing is divided to find
+/// out. Only a window of W's own says so: t is not rounded any further before it counts.
+template <class W, class Wanted>
+RAIO_FN constexpr mask_t<W> is_unwanted([[maybe_unused]] const Wanted& wanted, [[maybe_unused]] const W& way,
+                                        [[maybe_unused]] const bound_t<W>& way_error, const W& size,
+                                        [[maybe_unused]] const bound_t<W>& size_error) {
+    if constexpr (std::same_as<Wanted, first_from<W>>) {
+        using E = bound_t<W>;
+        // Twice the errors, for the roundings here and that of t.
+        E begin(wanted.t_min), end(wanted.t_max), error = E(2) * way_error, of_size = E(2) * size_error;
+        return some(E(way) +
+                    error<begin*(E(size) - flip(of_size, begin)), E(way) - error> end * (E(size) + flip(of_size, end)));
+    } else {
+        return size != size;
+    }
+}
 
 /// Two crossings of one line, in order. Of a convex solid both exist or none does, and the line is inside between them.
 template <class W>

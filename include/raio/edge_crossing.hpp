@@ -9,6 +9,8 @@
 /// u and v. By Cramer's rule, with s = origin - corner, p = direction x e2, q = s x e1,
 ///
 ///     det = e1.p,   u = s.p / det,   v = direction.q / det,   t = e2.q / det.
+///
+/// All signs are turned with that of det, and nothing is divided before it is known that the crossing counts.
 
 namespace raio {
 
@@ -20,30 +22,66 @@ struct edge_crossing {
     bound_t<W> size_error, u_error, v_error;
 };
 
-template <class W, real R>
+/// Bounds of the terms of det, and of u and v before they are divided by it.
+template <class W>
+struct edge_terms {
+    bound_t<W> size, u, v;
+};
+
+template <class W>
+RAIO_FN constexpr edge_terms<W> terms_of_edges(const vec3<W>& e1, const vec3<W>& e2, const vec3<W>& s,
+                                               const vec3<W>& direction) {
+    using E = bound_t<W>;
+    if constexpr (std::same_as<W, double_double>) {
+        return {triple_product_bound(e1, direction, e2), triple_product_bound(s, direction, e2),
+                triple_product_bound(s, direction, e1)};
+    } else {  // the same, with what the three have in common once
+        E e1_size = norm1(vec3<E>(e1)), e2_size = norm1(vec3<E>(e2)), speed = norm1(vec3<E>(direction));
+        E apart = with_underflow<W>(speed * norm1(vec3<E>(s)));
+        return {with_underflow<W>(with_underflow<W>(speed * e1_size) * e2_size), with_underflow<W>(apart * e2_size),
+                with_underflow<W>(apart * e1_size)};
+    }
+}
+
+/// \param inside  how far inside the shape a crossing is, of `size`, u and v: the least of u, v and what is left of
+///                `size` beside them, or beside one of them; negative outside
+/// \param wanted  which crossings are. A line without any is asked no further
+template <class W, real R, class Inside, class Wanted = every_crossing>
 RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3<W>& e1, const vec3<W>& e2,
-                                               const ray<R>& ray) {
+                                               const ray<R>& ray, Inside inside, const Wanted& wanted = {}) {
     using E = bound_t<W>;
     vec3<W> direction(ray.direction), s = vec3<W>(ray.origin) - corner;
     vec3<W> p = cross(direction, e2), q = cross(s, e1);
-    W det = dot(e1, p), sign = copysign(W(1), det), size = abs(det);
-    W u = dot(s, p) * sign, v = dot(direction, q) * sign;
+    W det = dot(e1, p), size = abs(det);
+    W u = flip(dot(s, p), det), v = flip(dot(direction, q), det), way = flip(dot(e2, q), det);
+    W within = inside(size, u, v);
 
     // A triple product of vectors that are off by a rounding each is off by less than 8 roundings of its terms.
-    E k(8 * unit_roundoff<W>), det_error = k * triple_product_bound(e1, direction, e2);
-    E u_error = k * triple_product_bound(s, direction, e2), v_error = k * triple_product_bound(direction, s, e1);
+    auto [size_terms, u_terms, v_terms] = terms_of_edges(e1, e2, s, direction);
+    E k(8 * unit_roundoff<W>), size_error = k * size_terms, u_error = k * u_terms, v_error = k * v_terms;
+    E error = k * (size_terms + u_terms + v_terms), way_error = k * closest_triple_product_bound(e2, s, e1);
 
-    W over_det = quotient(W(1), det, W(0)), t = dot(e2, q) * over_det;
-    E t_error = k * closest_triple_product_bound(e2, s, e1);
-    E error = E(2) * (t_error + abs(E(t)) * det_error) * abs(E(over_det)) + E(4 * unit_roundoff<W>) * abs(E(t));
-    crossing<W> c{.exists = size > tie<W>(det_error),
-                  .certain = size > E(2) * det_error,
+    const mask_t<W> crosses = size > E(2) * size_error, outside = within < -error;
+    if constexpr (!std::same_as<Wanted, known_crossing>) {
+        if (all(every(crosses, some(outside, is_unwanted(wanted, way, way_error, size, size_error))))) {
+            const mask_t<W> no = size < W(0);
+            const crossing<W> none{no, !no, W(0), E(0), no, {}, W(0), W(0), no, true};
+            return {none, size, u, v, size_error, u_error, v_error};
+        }
+    }
+    W over_size = quotient(W(1), size, W(0)), t = way * over_size;
+    E t_error = E(2) * (way_error + abs(E(t)) * size_error) * E(over_size) + E(4 * unit_roundoff<W>) * abs(E(t));
+    mask_t<W> meets = every(size > tie<W>(size_error), within >= -tie<W>(error));
+    // A tie at a corner is much closer than the error of the far edge.
+    if constexpr (std::same_as<W, double_double>) meets = every(meets, u >= -u_error, v >= -v_error);
+    crossing<W> c{.exists = meets,
+                  .certain = every(crosses, some(outside, within > error)),
                   .t = t,
-                  .error = error,
+                  .error = t_error,
                   .entering = det > W(0),
-                  .u = u * abs(over_det),
-                  .v = v * abs(over_det)};
-    return {c, size, u, v, det_error, u_error, v_error};
+                  .u = u * over_size,
+                  .v = v * over_size};
+    return {c, size, u, v, size_error, u_error, v_error};
 }
 
 /// What is missing of a crossing: t, u and v are that of the small vector `apart` from the point of the surface that it
@@ -53,7 +91,8 @@ template <class W>
 RAIO_FN constexpr edge_crossing<W> cross_apart(const vec3<W>& apart, const vec3<W>& e1, const vec3<W>& e2,
                                                const vec3<W>& direction) {
     vec3<W> zero(W(0));
-    return cross_edges(zero, e1, e2, ray<W>{apart, direction});
+    return cross_edges(zero, e1, e2, ray<W>{apart, direction},
+                       [](const W&, const W&, const W&) { return infinity<W>; });
 }
 
 /// How much more t is off if `apart` is off by this much: t is apart.(e1 x e2) / det. Products too small for their

@@ -41,10 +41,15 @@ RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_ma
 /// doubt.
 enum class question { whether, where, only_where };
 
-/// The crossings of a shape; of one that has to search for them only what the question wants to know.
+/// The crossings of a shape; of one that can find less with less work only what the question wants to know.
 template <class W, question Asked, class Shape, real R, real T>
 RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
-    if constexpr (requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
+    constexpr bool known = Asked == question::only_where && requires {
+        { shape.template crossings<W>(ray, known_crossing{}) } -> std::same_as<crossing<W>>;
+    };
+    if constexpr (known) {
+        return shape.template crossings<W>(ray, known_crossing{});
+    } else if constexpr (requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
         return shape.template crossings<W>(ray, first_from<T>{t_min, t_max, Asked == question::whether});
     } else {
         return shape.template crossings<W>(ray);

@@ -29,6 +29,7 @@ static_assert(select(true, 1, 2) == 1 && select(false, 1, 2) == 2);
 static_assert(any(true) && all(true) && !none(true) && !any(false) && !all(false) && none(false));
 static_assert(min(1.0, 2.0) == 1 && max(1.0, 2.0) == 2 && min(2.0f, 1.0f) == 1 && max(2.0f, 1.0f) == 2);
 static_assert(quotient(6.0, 3.0, 7.0) == 2 && quotient(6.0, 0.0, 7.0) == 7 && quotient(6.0, -0.0, 7.0) == 7);
+static_assert(flip(3.0, 2.0) == 3 && flip(3.0, -2.0) == -3 && flip(-3.0f, -0.0f) == 3);
 
 TEST_CASE_TEMPLATE("abs, copysign: as <cmath> has them, before the program runs as well", T, RAIO_NUMBERS) {
     static_assert(abs(T(-3)) == T(3) && abs(T(3)) == T(3) && copysign(T(-3), T(2)) == T(3) &&

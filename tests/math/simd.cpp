@@ -50,6 +50,7 @@ TEST_CASE_TEMPLATE("pack: every lane as a plain number", P, RAIO_PACKS_UNDER_TES
     check_lanes<P>("sqrt", [](auto a, auto) { return sqrt(abs(a)); });
     check_lanes<P>("abs", [](auto a, auto) { return abs(a); });
     check_lanes<P>("copysign", [](auto a, auto b) { return copysign(a, b); });
+    check_lanes<P>("flip", [](auto a, auto b) { return flip(a, b); });
     check_lanes<P>("is_finite", [](auto a, auto) { return is_finite(a); });
     check_lanes<P>("floor", [](auto a, auto) { return floor(a) + decltype(a)(0); });
     check_lanes<P>("infinity", [](auto a, auto) { return a < infinity<decltype(a)>; });

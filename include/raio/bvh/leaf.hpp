@@ -66,6 +66,7 @@ struct lanes_of_crossing {
 
 template <class T, std::size_t N>
 findings<T, N> judge(const crossing<pack<T, N>>& c, const pack<T, N>& t_min, const pack<T, N>& t_max) {
+    if (c.missed) return {0, 0, c.t, c.t};
     // The exact t is rounded to T as these are: between them is where it comes to lie.
     pack<T, N> low = c.t - c.error, high = c.t + c.error;
     const lanes_of_crossing<T, N> is(c, low, high, t_min, t_max);
@@ -135,7 +136,9 @@ public:
         using W = pack<T, lanes>;
         const block& b = blocks_[i];
         const ray<W> in_every_lane{vec3<W>(along.origin), vec3<W>(along.direction)};
-        findings<T, lanes> found = judge(b.shapes.shapes().template crossings<W>(in_every_lane), W(t_min), W(t_max));
+        const W from(t_min), to(t_max);
+        findings<T, lanes> found =
+            judge(crossings_for<W, question::where>(b.shapes.shapes(), in_every_lane, from, to), from, to);
         constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - lanes);
         if (((found.sure | found.open) & all) != 0) {
             const std::uint32_t used = b.used();

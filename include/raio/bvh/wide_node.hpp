@@ -79,8 +79,11 @@ struct slab_numbers {
     /// \param length  of the direction: its components' sizes, added up
     /// \param reach   the largest coordinate of all boxes, and the sizes of the origin's components, added up
     slab_numbers(const Numbers& origin, const Numbers& direction, const Numbers& length, const Numbers& reach) {
-        Numbers least = length * Numbers(0x1p-30f);
-        over_direction = Numbers(1) / select(abs(direction) < least, copysign(least, direction), direction);
+        Numbers least = length * Numbers(0x1p-30f), divisor = direction;
+        const mask_t<Numbers> small = abs(direction) < least;
+        if (any(small)) [[unlikely]]
+            divisor = select(small, copysign(least, direction), direction);
+        over_direction = Numbers(1) / divisor;
         slack = reach * Numbers(0x1p-20f) * abs(over_direction) + Numbers(std::numeric_limits<float>::min());
         Numbers k = origin * over_direction;
         enter = k + slack, leave = k - slack;

@@ -109,9 +109,9 @@ struct mesh_triangle {
     mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const { return (*of)[index].occluded(ray, t_min, t_max); }
     aabb<T> bounds() const { return (*of)[index].bounds(); }
 
-    template <class W, real R>
-    crossing<W> crossings(const ray<R>& ray) const {
-        return (*of)[index].template crossings<W>(ray);
+    template <class W, real R, class Wanted = every_crossing>
+    crossing<W> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
+        return (*of)[index].template crossings<W>(ray, wanted);
     }
     template <class X, class W>
     crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {

@@ -190,6 +190,16 @@ RAIO_FN constexpr T max(T a, T b) {
     }
 }
 
+/// x, or -x where `sign` is negative.
+template <real T>
+RAIO_FN constexpr T flip(const T& x, const T& sign) {
+    if constexpr (requires { T::flip(x, sign); }) {
+        return T::flip(x, sign);
+    } else {
+        return x * copysign(T(1), sign);
+    }
+}
+
 template <class T>
 inline const T infinity = T(std::numeric_limits<scalar_t<T>>::infinity());
 template <class T>

@@ -108,6 +108,10 @@ public:
         return made([&](std::size_t i) { return detail::greater(a.registers_[i], b.registers_[i]); });
     }
 
+    RAIO_FN static constexpr pack flip(const pack& x, const pack& sign) {
+        return made([&](std::size_t i) { return detail::flipped(x.registers_[i], sign.registers_[i]); });
+    }
+
     RAIO_FN friend constexpr pack sqrt(const pack& x) {
         return made([&](std::size_t i) { return sqrt(x.registers_[i]); });
     }

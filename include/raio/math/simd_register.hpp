@@ -113,6 +113,16 @@ RAIO_FN constexpr Register greater(const Register& a, const Register& b) {
     }
 }
 
+/// x, or -x where `sign` is negative.
+template <class Register>
+RAIO_FN constexpr Register flipped(const Register& x, const Register& sign) {
+    if constexpr (requires { x ^ sign; }) {
+        return x ^ (sign & Register(-0.0f));
+    } else {
+        return x * copysign(Register(1), sign);
+    }
+}
+
 /// Calls `f` with 0, 1, ... N - 1, without a loop: what is indexed with them can live in registers.
 template <std::size_t N, class F>
 RAIO_FN constexpr void repeat(F f) {

@@ -37,18 +37,10 @@ struct parallelogram {
         return {corner + edge_u * u.x + edge_v * u.y, normalize(cross(edge_u, edge_v))};
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
-        auto [at, size, u, v, size_error, u_error, v_error] =
-            cross_edges(vec3<W>(corner), vec3<W>(edge_u), vec3<W>(edge_v), ray);
-        W to_u = size - u, to_v = size - v;  // from the edges opposite
-        bound_t<W> to_u_error = size_error + u_error, to_v_error = size_error + v_error;
-        const mask_t<W> outside = some(u < -u_error, v < -v_error, to_u < -to_u_error, to_v < -to_v_error);
-        const mask_t<W> inside = every(u > u_error, v > v_error, to_u > to_u_error, to_v > to_v_error);
-        at.exists = every(at.exists, u >= -tie<W>(u_error), v >= -tie<W>(v_error), to_u >= -tie<W>(to_u_error),
-                          to_v >= -tie<W>(to_v_error));
-        at.certain = every(at.certain, some(outside, inside));
-        return at;
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
+        const auto inside = [](const W& size, const W& u, const W& v) { return min(size - max(u, v), min(u, v)); };
+        return cross_edges(vec3<W>(corner), vec3<W>(edge_u), vec3<W>(edge_v), ray, inside, wanted).at;
     }
 
     template <class X, class W>

@@ -39,17 +39,11 @@ struct triangle {
         return {a + (b - a) * (root * (T(1) - u.y)) + (c - a) * (root * u.y), normalize(cross(b - a, c - a))};
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         vec3<W> corner(a), e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner;
-        auto [at, size, u, v, size_error, u_error, v_error] = cross_edges(corner, e1, e2, ray);
-        W w = size - (u + v);
-        bound_t<W> w_error = size_error + u_error + v_error;
-        const mask_t<W> outside = some(u < -u_error, v < -v_error, w < -w_error);
-        const mask_t<W> inside = every(u > u_error, v > v_error, w > w_error);
-        at.exists = every(at.exists, u >= -tie<W>(u_error), v >= -tie<W>(v_error), w >= -tie<W>(w_error));
-        at.certain = every(at.certain, some(outside, inside));
-        return at;
+        const auto inside = [](const W& size, const W& u, const W& v) { return min(size - (u + v), min(u, v)); };
+        return cross_edges(corner, e1, e2, ray, inside, wanted).at;
     }
 
     template <class X, class W>
