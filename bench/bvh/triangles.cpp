@@ -4,6 +4,7 @@
 #include <span>
 
 #include "bvh/contenders.hpp"
+#include "peers/inexact_tree.hpp"
 
 // Triangles: SCENE/RAYS/CONTENDER is one measurement.
 
@@ -40,6 +41,8 @@ void add(const bench::scene& scene) {
     bench::add_packets(scene.name, "raio", standard, rays, hits_of_packet);
     add_raio("raio_high", bench::lazy_raio_tree(mesh.triangles, bvh_quality::high));
     add_raio("raio_compact", bench::lazy([of = mesh.mesh] { return bench::raio_compact_tree(*of); }));
+    const bench::lazy inexact([of = mesh.triangles] { return std::make_unique<peers::inexact_tree>(*of); });
+    bench::add_tree<peers::inexact_tree::record>(scene.name, "inexact", inexact, rays);
 #ifdef RAIO_BENCH_EMBREE
     for (const char* isa : bench::embree_isas) {
         const auto add_embree = [&](const char* name, const peers::embree_options& options) {
