@@ -40,7 +40,7 @@ public:
         }
     }
 
-    bool hit(const raio::ray<float>& ray, float t_min, float t_max, record& rec) const {
+    [[gnu::flatten]] bool hit(const raio::ray<float>& ray, float t_min, float t_max, record& rec) const {
         const raio::detail::node_ray boxes(ray, tree_.scale, tree_.size);
         bool exists = false;
         raio::detail::traverse(tree_.nodes, boxes, t_min, t_max, [&](std::uint32_t leaf) {
@@ -61,7 +61,7 @@ public:
         return exists;
     }
 
-    bool occluded(const raio::ray<float>& ray, float t_min, float t_max) const {
+    [[gnu::flatten]] bool occluded(const raio::ray<float>& ray, float t_min, float t_max) const {
         const raio::detail::node_ray boxes(ray, tree_.scale, tree_.size);
         bool found = false;
         raio::detail::traverse_any(tree_.nodes, boxes, t_min, t_max, [&](std::uint32_t leaf) {

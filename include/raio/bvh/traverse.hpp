@@ -26,39 +26,41 @@ void traverse(std::span<const wide_node> nodes, const node_ray& ray, float t_min
     std::array<open_child, deepest*(node_width - 1) + 1> stack;
     std::size_t open = 0;
     std::uint32_t current = 0;
-    numbers from(t_min);
-    for (;;) {
-        if (!child::is_leaf(current)) {
-            const wide_node& node = nodes[current];
-            numbers entry;
-            std::uint32_t met = ray.meets(node, from, numbers(t_max), entry);
-            if (met != 0) {
-                const auto first = static_cast<unsigned>(std::countr_zero(met));
-                met &= met - 1;
-                current = node.child_at(first);
-                if (met == 0) continue;
-                open_child nearest{entry[first], current};
-                const std::size_t bottom = open;
-                for (; met != 0; met &= met - 1) {
-                    const auto i = static_cast<unsigned>(std::countr_zero(met));
-                    open_child next{entry[i], node.child_at(i)};
-                    if (next.t < nearest.t) std::swap(next, nearest);
-                    std::size_t at = open++;
-                    for (; at > bottom && stack[at - 1].t < next.t; --at) stack[at] = stack[at - 1];
-                    stack[at] = next;
-                }
-                current = nearest.child;
-                continue;
-            }
-        } else if (!visit(current)) {
-            return;
-        }
+    const auto pop = [&] {
         do {
-            if (open == 0) return;
+            if (open == 0) return false;
             --open;
         } while (!(stack[open].t <= t_max));
         current = stack[open].child;
-    }
+        return true;
+    };
+    numbers from(t_min);
+    do {
+        while (!child::is_leaf(current)) {
+            const wide_node& node = nodes[current];
+            numbers entry;
+            std::uint32_t met = ray.meets(node, from, numbers(t_max), entry);
+            if (met == 0) {
+                if (!pop()) return;
+                continue;
+            }
+            const auto first = static_cast<unsigned>(std::countr_zero(met));
+            met &= met - 1;
+            current = node.child_at(first);
+            if (met == 0) continue;
+            open_child nearest{entry[first], current};
+            const std::size_t bottom = open;
+            for (; met != 0; met &= met - 1) {
+                const auto i = static_cast<unsigned>(std::countr_zero(met));
+                open_child next{entry[i], node.child_at(i)};
+                if (next.t < nearest.t) std::swap(next, nearest);
+                std::size_t at = open++;
+                for (; at > bottom && stack[at - 1].t < next.t; --at) stack[at] = stack[at - 1];
+                stack[at] = next;
+            }
+            current = nearest.child;
+        }
+    } while (visit(current) && pop());
 }
 
 /// Calls `visit` with the leaves that the ray may meet between `t_min` and `t_max`, in no order, as long as it answers
@@ -73,28 +75,25 @@ void traverse_any(std::span<const wide_node> nodes, const node_ray& ray, float t
     std::array<group, deepest + 1> stack;
     group* top = stack.data();
     const numbers from(t_min), to(t_max);
+    numbers entry;
     const wide_node* node = nodes.data();
-    for (;;) {
-        numbers entry;
-        std::uint32_t met = ray.meets(*node, from, to, entry);
+    std::uint32_t met = ray.meets(*node, from, to, entry), next = 0;
+    do {
         for (;;) {
             while (met == 0) {
                 if (top == stack.data()) return;
                 --top;
                 node = top->node, met = top->met;
             }
-            const std::uint32_t next = node->child_at(static_cast<unsigned>(std::countr_zero(met)));
+            next = node->child_at(static_cast<unsigned>(std::countr_zero(met)));
             met &= met - 1;
-            if (child::is_leaf(next)) {
-                if (!visit(next)) return;
-            } else {
-                *top = {node, met};
-                top += met != 0 ? 1 : 0;
-                node = nodes.data() + next;
-                break;
-            }
+            if (child::is_leaf(next)) break;
+            *top = {node, met};
+            top += met != 0 ? 1 : 0;
+            node = nodes.data() + next;
+            met = ray.meets(*node, from, to, entry);
         }
-    }
+    } while (visit(next));
 }
 
 /// Calls `visit` with the leaves that rays of a bundle may meet between `t_min` and the ray's own `t_max`, and with one
