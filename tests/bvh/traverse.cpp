@@ -145,6 +145,26 @@ TEST_CASE("traverse: as deep a tree as any, in which all children wait but the n
     for (const visits* v : {&found, &found_any, &found_together}) CHECK(v->count == static_cast<int>(leaf_count));
 }
 
+TEST_CASE("traverse: a window of one point is a window") {
+    std::vector<wide_node> nodes(1);
+    nodes[0].leaf_count = 1;
+    nodes[0].set(0, detail::to_build_box(aabb<float>{{1, -1, -1}, {8, 1, 1}}));
+    nodes[0].leaves[0] = detail::child::leaf(0, 0);
+    const std::vector<ray<float>> rays(2, ray<float>{{-1, 0, 0}, {1, 0, 0}});
+    const node_ray boxes(rays[0], 1.0f, 8.0f);
+    for (const float t : {1.0f, 4.0f, 12.0f}) {
+        const int leaves = t == 4 ? 1 : 0;
+        int found = 0, found_any = 0, found_together = 0;
+        detail::traverse(nodes, boxes, t, t, [&](std::uint32_t) { return ++found, true; });
+        detail::traverse_any(nodes, boxes, t, t, [&](std::uint32_t) { return ++found_any, true; });
+        std::array<float, ray_bundle::most> far;
+        far.fill(t);
+        detail::traverse(nodes, ray_bundle(std::span(rays), 1.0f, 8.0f), t, far,
+                         [&](std::uint32_t, std::uint32_t of) { found_together += std::popcount(of & 3); });
+        CHECK((found == leaves && found_any == leaves && found_together == 2 * leaves));
+    }
+}
+
 TEST_CASE("traverse: of a node's children the nearer first") {
     random_numbers random(4);
     for (int i = 0; i < 300; ++i) {
