@@ -185,7 +185,28 @@ TEST_CASE("traverse: of a node's children the nearer first") {
         });
         REQUIRE(order.size() == node_width);
         REQUIRE(std::ranges::is_sorted(order));
+
+        const std::vector<ray<float>> rays(2, r);
+        std::vector<float> order_together;
+        std::array<float, ray_bundle::most> far;
+        far.fill(t_max);
+        detail::traverse(tree.nodes, ray_bundle(std::span(rays), 1.0f, 40.0f), 0, far,
+                         [&](std::uint32_t leaf, std::uint32_t) {
+                             order_together.push_back(tree.boxes[detail::child::block(leaf)].low(0) * r.direction.x);
+                         });
+        REQUIRE(order_together == order);
     }
+}
+
+TEST_CASE("traverse: what goes nowhere, or is no number, is not asked of a tree") {
+    const vec3<float> some(1, 2, 3), none(0), endless(1, infinity<float>, 0), no_number(NAN, 0, 0);
+    CHECK(detail::runs(ray<float>{none, some}));
+    CHECK(detail::runs(ray<float>{some, {0, 0, -1e-45f}}));
+    for (const vec3<float>& wrong : {endless, no_number}) {
+        CHECK(!detail::runs(ray<float>{some, wrong}));
+        CHECK(!detail::runs(ray<float>{wrong, some}));
+    }
+    CHECK(!detail::runs(ray<float>{some, none}));
 }
 
 TEST_CASE("traverse: what is beyond the nearest so far is left alone, and nothing before it") {
