@@ -49,7 +49,7 @@ TEST_CASE("crossing: what two solids share, whatever the ends are off by") {
     const auto earlier = [](double x, double y) { return std::min(x, y); };
     random_numbers random(1);
     int certain_hits = 0, certain_misses = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         const test_chord a = random_chord(random), b = random_chord(random), both = intersect(a, b);
         REQUIRE(both.near.t == later(a.near.t, b.near.t));
         REQUIRE(both.far.t == earlier(a.far.t, b.far.t));
@@ -76,7 +76,7 @@ TEST_CASE("crossing: two solids that are convex together, whatever the ends are 
     const auto later = [](double x, double y) { return std::max(x, y); };
     const auto earlier = [](double x, double y) { return std::min(x, y); };
     random_numbers random(2);
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         const test_chord a = random_chord(random), b = random_chord(random), all = unite(a, b);
         REQUIRE((all.near.exists == (a.near.exists || b.near.exists) && all.far.exists == all.near.exists));
         REQUIRE(all.near.certain == (a.near.certain && b.near.certain));
@@ -105,7 +105,7 @@ TEST_CASE("crossing: two solids that are convex together, whatever the ends are 
 TEST_CASE("crossing: where a function is zero, whatever value and slope are off by") {
     random_numbers random(3);
     double largest_part = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         const double value = random.uniform(-4, 4), value_error = random.one_in(2) ? 0 : random.uniform(0, 1);
         const double slope = random.uniform(-4, 4),
                      slope_error = random.one_in(4) ? 0 : std::abs(slope) * random.uniform(0, 0.7);
@@ -174,7 +174,7 @@ TEST_CASE("crossing: only what the ray reaches in numbers of its type is kept") 
 TEST_CASE("crossing: what is out of the window, whatever way and size are off by") {
     random_numbers random(1);
     int out = 0, may_be_in = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         const auto some_error = [&] { return random.one_in(2) ? 0.0 : random.log_uniform(1e-6, 1); };
         const double size = random.log_uniform(1e-2, 1e2), way = random.uniform(-3, 3) * size;
         const double size_error = some_error() * size / 4, way_error = some_error() * size;

@@ -12,7 +12,7 @@ using X = double_double;
 TEST_CASE("edge_crossing: the bounds of t, u, v and of what is missing, from above as well") {
     random_numbers random(1);
     part_of_bound of_size, of_u, of_v, of_t, of_missing, of_missing_ahead;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         const vec3<double> a = some_vector(random), b = a + some_vector(random), c = a + some_vector(random);
         const vec3<double> normal = cross(b - a, c - a);
         const ray<double> ray{a + all_but_across(normal, random), all_but_across(normal, random)};

@@ -12,7 +12,7 @@ using X = double_double;
 TEST_CASE("plane_crossing: the bounds of slope, height, distance and of what is missing, from above as well") {
     random_numbers random(1);
     part_of_bound of_slope, of_height, of_t, of_distance, of_missing;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         const vec3<double> normal = some_vector(random), point = some_vector(random);
         const ray<double> ray{point + all_but_across(normal, random), all_but_across(normal, random)};
         const vec3<oracle> n(normal), d(ray.direction), from_point = vec3<oracle>(ray.origin) - vec3<oracle>(point);

@@ -26,9 +26,10 @@ revolved_quadric<N> some_quadric(random_numbers& random) {
 TEST_CASE("quadric_crossing: the bounds of t and of what is missing, from above as well") {
     part_of_bound of_t, of_missing, of_level, of_place;
     int seen = 0;
-    for (std::uint64_t i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         // The same numbers in each precision.
-        random_numbers random(i), again(i), exactly_so(i);
+        const auto seed = static_cast<std::uint64_t>(i);
+        random_numbers random(seed), again(seed), exactly_so(seed);
         const auto quadric = some_quadric<W>(random);
         const auto fine = some_quadric<X>(again);
         const auto exact = some_quadric<oracle>(exactly_so);

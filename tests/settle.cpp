@@ -225,7 +225,7 @@ template <class N, class T>
 void check_recorded_error() {
     random_numbers random(1);
     double largest = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         vec3<T> origin(some_vector(random)), direction(some_vector(random));
         if (i % 3 == 0) origin = vec3<T>(0);
         const double t = random.uniform(-9, 9), error = i % 2 == 0 ? 0 : std::abs(t) * random.log_uniform(1e-20, 1e9);

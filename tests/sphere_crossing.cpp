@@ -12,7 +12,7 @@ TEST_CASE("sphere_crossing: the bound of what is missing, from above as well") {
     random_numbers random(1);
     part_of_bound of_value, of_slope;
     int seen = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         // Through a point of the sphere: ahead, or all but along it.
         const double radius = random.log_uniform(1e-3, 1e3);
         const vec3<double> outward = random.direction(), direction = all_but_across(outward, random);

@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("rounded_down, rounded_up: the floats on both sides of a numb
         REQUIRE((low == high || std::nextafter(low, infinity<float>) == high));
         REQUIRE((low == high) == (T(static_cast<float>(x)) == x));
     };
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < at_least(10'000); ++i) {
         const T x = static_cast<T>(random.log_uniform(1e-44, 1e38));
         check(x), check(-x), check(static_cast<T>(static_cast<float>(x)));
     }
@@ -82,7 +82,7 @@ TEST_CASE_TEMPLATE("rounded_down, rounded_up: the floats on both sides of a numb
 
 TEST_CASE("to_build_box: contains what it is made of") {
     random_numbers random(2);
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < at_least(10'000); ++i) {
         aabb<double> of;
         for (int k = 0; k < 2; ++k) of = hull(of, random.direction() * random.log_uniform(1e-3, 1e3));
         const build_box b = detail::to_build_box(of);
@@ -96,7 +96,7 @@ TEST_CASE("to_build_box: contains what it is made of") {
 
 TEST_CASE("cells_per_length: the farthest place falls into the last cell, and none beyond") {
     random_numbers random(3);
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < at_least(10'000); ++i) {
         const float extent = static_cast<float>(random.log_uniform(1e-29, 1e30));
         for (const int cells : {16, 1024}) {
             const float scale = detail::cells_per_length(static_cast<float>(cells), extent);

@@ -94,7 +94,7 @@ TEST_CASE_TEMPLATE("bvh: numbers far from 1", T, RAIO_NUMBERS) {
         for (sphere<T>& s : scaled) s.center *= by, s.radius *= by;
         const bvh tree{scaled};
         const group loop{scaled};
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < at_least(2000); ++i) {
             question<T> q(random);
             q.ray.origin *= by;
             if (random.one_in(2)) q.ray.direction *= by;
@@ -175,6 +175,16 @@ TEST_CASE_TEMPLATE("bvh: as deep a tree as shapes of ever smaller sizes make, an
         shapes.push_back({vec3<T>(size, size, 0), size / 4});
     }
     for (const bvh_quality quality : qualities) check_aimed(shapes, quality);
+}
+
+TEST_CASE_TEMPLATE("bvh: a hundred thousand shapes, and ten million in a long run", T, RAIO_NUMBERS) {
+    random_numbers random(19);
+    std::vector<triangle<T>> shapes;
+    for (int i = 0; i < test_rays; ++i) {
+        const vec3<T> a = within<T>(random, 8);
+        shapes.push_back({a, a + within<T>(random, 0.2), a + within<T>(random, 0.2)});
+    }
+    for (const bvh_quality quality : qualities) check_like(bvh{shapes, {.quality = quality}}, group{shapes}, random, 40);
 }
 
 TEST_CASE("bvh: the same tree from any number of threads") {

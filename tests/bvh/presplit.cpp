@@ -44,7 +44,7 @@ vec3<double> point_of(const detail::corners& t, random_numbers& random) {
 
 TEST_CASE("split_box: what is on each side of the plane, within the box, and no more than there is") {
     random_numbers random(1);
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < at_least(2000); ++i) {
         const detail::corners t = random_corners(random);
         const build_box box = box_of(t, 7);
         const unsigned axis = box.largest_axis();

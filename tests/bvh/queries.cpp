@@ -39,7 +39,7 @@ TEST_CASE_TEMPLATE("bvh: refit to another scale, and of a tree without shapes", 
     for (sphere<T>& s : shapes) s.center *= by, s.radius *= by;
     tree.refit(shapes);
     int hits = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < at_least(1000); ++i) {
         question<T> q(random);
         q.ray.origin *= by;
         hit_record<T> expected, found;
@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("bvh: many rays at once, as each of them alone", T, RAIO_NUMB
     const bvh tree{group{random_shapes<triangle<T>>(random, 300), random_shapes<sphere<T>>(random, 50),
                          random_shapes<convex_polyhedron<T>>(random, 20)}};
     int hits = 0;
-    for (int i = 0; i < normal_run / 100; ++i) {
+    for (int i = 0; i < test_rays / 100; ++i) {
         // From one point, or side by side, or neither; and some that run nowhere.
         const question<T> first(random);
         std::vector<ray<T>> rays(static_cast<std::size_t>(random.integer(1, 64)), first.ray);
@@ -113,7 +113,7 @@ TEST_CASE_TEMPLATE("bvh: many rays at once, as each of them alone", T, RAIO_NUMB
         REQUIRE((rays.size() == 64 || (hit | occluded) >> rays.size() == 0));
         hits += std::popcount(hit);
     }
-    CHECK(hits > normal_run / 100);
+    CHECK(hits > test_rays / 100);
     CHECK(tree.hit(std::span<const ray<T>>(), T(0), infinity<T>, {}) == 0);
 }
 
@@ -135,7 +135,7 @@ TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, 
         const bvh tree(ball, {.quality = quality});
         const bvh<mesh_triangle<T>> compact(ball, {.quality = quality});
         CHECK(compact.bytes() < tree.bytes() * 3 / 4);
-        for (int i = 0; i < normal_run / 10; ++i) {
+        for (int i = 0; i < test_rays / 10; ++i) {
             // From within, through a vertex, or the middle of an edge or a face: it is never outside.
             const std::array<std::uint32_t, 3>& t = ball.triangles[static_cast<std::size_t>(random.integer(0, 319))];
             const int corners = random.integer(1, 3);
@@ -168,7 +168,7 @@ TEST_CASE_TEMPLATE("bvh: crossings in order, the nearest few, and a filter", T, 
     const auto shapes = random_shapes<sphere<T>>(random, 200);
     for (const bvh_quality quality : qualities) {
         const bvh tree(std::span<const sphere<T>>(shapes), {.quality = quality});
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < at_least(1000); ++i) {
             const question<T> q(random);
             std::vector<hit_record<T>> expected;
             for (std::uint32_t j = 0; j < shapes.size(); ++j) {
@@ -208,7 +208,7 @@ TEST_CASE_TEMPLATE("bvh: spans are those of the group, and csg takes the tree fo
         const bvh tree(shapes, {.quality = quality});
         const auto holes_of_tree = difference_of(block, &tree);
         int found = 0, hits = 0;
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < at_least(2000); ++i) {
             const question<T> q(random);
             const auto inside = tree.spans(q.ray), expected = shapes.spans(q.ray);
             REQUIRE(std::ranges::equal(inside, expected));

@@ -33,7 +33,7 @@ std::vector<ray<T>> random_bundle(random_numbers& random) {
 TEST_CASE_TEMPLATE("ray_bundle: meets what each of its rays meets", T, RAIO_NUMBERS) {
     random_numbers random(1);
     int bundles = 0, met_by_rays = 0, out_together = 0;
-    for (int i = 0; i < 50'000; ++i) {
+    for (int i = 0; i < at_least(50'000); ++i) {
         const std::vector<ray<T>> rays = random_bundle<T>(random);
         const ray_bundle bundle(std::span<const ray<T>>(rays), T(1), random_box_reach);
         if (!bundle.is_coherent()) continue;
@@ -117,7 +117,7 @@ TEST_CASE("ray_bundle: the slowest ray has its slack, to which the origin's roun
 
 TEST_CASE_TEMPLATE("ray_bundle: a ray of its own is met by the children that each of them meets", T, RAIO_NUMBERS) {
     random_numbers random(2);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < at_least(1000); ++i) {
         const ray<T> r{random_ray<T>(random).origin, vec3<T>(random.direction())};
         const ray_bundle bundle(std::span(&r, 1), T(1), random_box_reach);
         REQUIRE(bundle.is_coherent());

@@ -39,9 +39,9 @@ void check_from_eight_threads(const Scene& scene, random_numbers& random) {
     constexpr std::size_t threads = 8;
     std::vector<question<T>> questions;
     std::vector<answer<T>> expected;
-    for (int i = 0; i < normal_run / 50; ++i) expected.emplace_back(scene, questions.emplace_back(random));
+    for (int i = 0; i < test_rays / 50; ++i) expected.emplace_back(scene, questions.emplace_back(random));
     const auto hits = std::ranges::count_if(expected, &answer<T>::hit);
-    CHECK(hits > normal_run / 500);
+    CHECK(hits > test_rays / 500);
 
     std::array<std::size_t, threads> same{};
     {
@@ -94,7 +94,7 @@ TEST_CASE_TEMPLATE("bvh: a tree that eight threads build answers as one that one
     for (const bvh_quality quality : qualities) {
         const bvh<triangle<T>> alone(shapes, {.quality = quality, .threads = 1});
         const bvh<triangle<T>> together(shapes, {.quality = quality, .threads = 8});
-        for (int i = 0; i < normal_run / 50; ++i) {
+        for (int i = 0; i < test_rays / 50; ++i) {
             const question<T> q(random);
             REQUIRE(answer<T>(alone, q) == answer<T>(together, q));
         }

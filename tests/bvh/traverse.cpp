@@ -213,7 +213,7 @@ TEST_CASE("traverse: what is beyond the nearest so far is left alone, and nothin
     random_numbers random(2);
     const random_tree tree(random, 1000);
     int visited = 0, met = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < at_least(1000); ++i) {
         const ray<float> r = random_ray<float>(random);
         const float size = 1 / norm1(r.direction);
         float t_max = infinity<float>;
@@ -237,7 +237,7 @@ TEST_CASE("traverse: what is beyond the nearest so far is left alone, and nothin
 TEST_CASE("traverse: leaves with all rays of a bundle that meet them, each as far as it goes") {
     random_numbers random(3);
     int bundles = 0;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < at_least(2000); ++i) {
         const random_tree tree(random, static_cast<std::size_t>(random.integer(0, 100)));
         const ray<float> first = random_ray<float>(random);
         std::vector<ray<float>> rays(static_cast<std::size_t>(random.integer(1, static_cast<int>(ray_bundle::most))),

@@ -42,7 +42,7 @@ TEST_CASE("wide_node: boxes come out as they went in, places without one stay em
 TEST_CASE_TEMPLATE("node_ray: meets what the ray meets", T, RAIO_NUMBERS) {
     random_numbers random(2);
     int met_by_ray = 0;
-    for (int i = 0; i < 100'000; ++i) {
+    for (int i = 0; i < at_least(100'000); ++i) {
         const auto count = static_cast<std::size_t>(random.integer(0, static_cast<int>(node_width)));
         const wide_node node = random_node(random, count);
         const ray<T> r = random_ray<T>(random);
@@ -74,7 +74,7 @@ TEST_CASE_TEMPLATE("node_ray: meets what the ray meets", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("node_ray: boxes may be scaled, and t stays", T, RAIO_NUMBERS) {
     random_numbers random(3);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < at_least(1000); ++i) {
         const wide_node node = random_node(random, node_width);
         const ray<T> r = random_ray<T>(random), large{r.origin * T(0x1p50), r.direction * T(0x1p50)};
         node_ray::numbers entry, entry_of_large;

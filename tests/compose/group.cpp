@@ -114,7 +114,7 @@ TEST_CASE_TEMPLATE("group: as the loop over its members", T, RAIO_NUMBERS) {
         triangles.push_back({anywhere(), anywhere(), anywhere()});
     }
     const group scene{spheres, std::span<const triangle<T>>(triangles)};
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < at_least(10'000); ++i) {
         const ray<T> ray{anywhere(), anywhere()};
         hit_record<T> rec, nearest, candidate;
         bool found = false;

@@ -220,7 +220,7 @@ TEST_CASE_TEMPLATE("transformed: maps one after the other are their product", T,
     const transformed once{sphere<T>{{0, 0, 0}, 1}, a * b};
     random_numbers random(13);
     int hits = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < at_least(1000); ++i) {
         const vec3<double> from = random.direction() * 9.0, to = random.direction() * 2.0 + vec3<double>(1, 2, 3);
         const ray<T> ray{vec3<T>(from), vec3<T>(to - from)};
         hit_record<T> r, s;
@@ -250,7 +250,7 @@ oracle unevenness(const transform<oracle>& map) {
 }
 
 TEST_CASE_TEMPLATE("transformed: the mapped ray is right to 2^-50, or 2^-102 for double", T, RAIO_NUMBERS) {
-    for_random_probes<posed<sphere<T>>>("mapped ray", 10'000, [](const auto& p, auto&) -> std::string {
+    for_random_probes<posed<sphere<T>>>("mapped ray", at_least(10'000), [](const auto& p, auto&) -> std::string {
         const transform<oracle> map = converted<oracle>(p.shape.map);
         const linear_inverse<oracle> inverse(map);
         const oracle det = dot(map.x, cross(map.y, map.z));
@@ -332,7 +332,7 @@ template <class P>
 void check_image() {
     int hits = 0, grazing = 0, complaints = 0;
     random_numbers random(12);
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least(20'000); ++i) {
         const auto p = scattered_probe<posed<P>>(random);
         const std::string wrong = inexact_image(p, hits, grazing);
         if (!wrong.empty() && ++complaints <= 3) FAIL_CHECK(wrong << "\n    {" << literal(p) << "}");

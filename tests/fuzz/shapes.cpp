@@ -1,5 +1,7 @@
+#include "shapes.hpp"
+
+#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstdlib>
 #include <span>
 #include <stdexcept>
@@ -10,10 +12,10 @@
 /// or a crossing within the window whose record is sound; occluded says the same; spans are in order; and a tree
 /// answers as the loop does.
 ///
-/// The first byte chooses the shape, the second what numbers are: float or double, and the next bits as they are, or
-/// one byte that stands for an eighth, or that, but for some bytes which stand for numbers at which things go wrong.
-/// Among eighths the point lies within the bounds, too, and the normal is against the ray. (A shape with sizes of
-/// 1e-300 and 1e300 at once does not promise that.)
+/// The first byte chooses the shape (with --shape=NAME all that is invented is about that one), the second what numbers
+/// are: float or double, and the next bits as they are, or one byte that stands for an eighth, or that, but for some
+/// bytes which stand for numbers at which things go wrong. Among eighths the point lies within the bounds, too, and the
+/// normal is against the ray. (A shape with sizes of 1e-300 and 1e300 at once does not promise that.)
 namespace raio::test {
 
 namespace {
@@ -139,141 +141,172 @@ void ask_made_of(numbers<number_t<Shape>>& n) {
     ask(n, Shape{n.template next<Fields>()...});  // braces read their numbers in order
 }
 
-/// Every shape, and every way to put shapes together. The corpus counts on their order.
+/// What an input may be about, by the name that the fuzzer is told.
 template <class T>
-constexpr void (*questions[])(numbers<T>&) = {
-    ask_made_of<sphere<T>, point, number>,
-    ask_made_of<ellipsoid<T>, point, point>,
-    ask_made_of<plane<T>, point, point>,
-    ask_made_of<disc<T>, point, point, number>,
-    ask_made_of<ring<T>, point, point, number, number>,
-    ask_made_of<parallelogram<T>, point, point, point>,
-    ask_made_of<bilinear_patch<T>, point, point, point, point>,
-    ask_made_of<triangle<T>, point, point, point>,
-    ask_made_of<watertight_triangle<T>, point, point, point>,
-    ask_made_of<box<T>, point, point>,
-    ask_made_of<cylinder<T>, point, point, number>,
-    ask_made_of<open_cylinder<T>, point, point, number>,
-    ask_made_of<capsule<T>, point, point, number>,
-    ask_made_of<round_cone<T>, point, point, number, number>,
-    ask_made_of<cone<T>, point, point, number>,
-    ask_made_of<open_cone<T>, point, point, number>,
-    ask_made_of<frustum<T>, point, point, number, number>,
-    ask_made_of<open_frustum<T>, point, point, number, number>,
-    ask_made_of<paraboloid<T>, point, point, number>,
-    ask_made_of<open_paraboloid<T>, point, point, number>,
-    ask_made_of<hyperboloid<T>, point, point, number, number>,
-    ask_made_of<open_hyperboloid<T>, point, point, number, number>,
-    ask_made_of<two_sheet_hyperboloid<T>, point, point, number, number>,
-    ask_made_of<open_two_sheet_hyperboloid<T>, point, point, number, number>,
-    ask_made_of<quadric<T>, point, point, point, point, point, number>,
-    ask_made_of<open_quadric<T>, point, point, point, point, point, number>,
-    ask_made_of<torus<T>, point, point, number, number>,
-    ask_made_of<steiner<T>, point, number>,
-    ask_made_of<teardrop<T>, point, point, number>,
-    [](numbers<T>& n) {
-        algebraic<T, 4> some{n.point(), n.point(), {}};
-        for (unsigned left = n.count(6); left > 0; --left) {
-            const T coefficient = n.number();
-            const unsigned x = n.count(4), y = n.count(4 - x);
-            some.terms.push_back({coefficient, x, y, n.count(4 - x - y)});
-        }
-        ask(n, some);
-    },
-    [](numbers<T>& n) {
-        blob<T, 3> some{};
-        for (metaball<T>& ball : some.components) ball = {n.point(), n.number(), n.number(), n.point()};
-        some.threshold = n.number();
-        ask(n, some);
-    },
-    [](numbers<T>& n) {
-        surface_of_revolution<T> some{n.point(), n.point(), {}};
-        for (unsigned left = n.count(5); left > 0; --left) some.profile.push_back(n.pair());
-        ask(n, some);
-    },
-    [](numbers<T>& n) {
-        heightfield<T> some{n.pair(), n.pair(), 2 + n.count(2), {}};
-        for (unsigned left = some.columns * (2 + n.count(2)); left > 0; --left) some.heights.push_back(n.number());
-        ask(n, some);
-    },
-    [](numbers<T>& n) {
-        convex_polyhedron<T> some;
-        for (unsigned left = n.count(7); left > 0; --left) some.planes.push_back({n.point(), n.number()});
-        ask(n, some);
-    },
-    [](numbers<T>& n) {
-        const auto [center, x, y, z] = corners(n);
-        ask(n, oriented_box(center, x, y, z));
-    },
-    [](numbers<T>& n) {
-        const auto [a, b, c, d] = corners(n);
-        ask(n, tetrahedron(a, b, c, d));
-    },
-    [](numbers<T>& n) {
-        const std::array<vec3<T>, 4> base = corners(n);
-        ask(n, pyramid(base, n.point()));
-    },
-    [](numbers<T>& n) {
-        const std::array<vec3<T>, 4> base = corners(n);
-        ask(n, prism(base, n.point()));
-    },
-    [](numbers<T>& n) {
-        const vec3<T> center = n.point();
-        ask(n, regular_solid<12>(center, n.number()));
-    },
-    [](numbers<T>& n) {
-        const sphere<T> ball{n.point(), n.number()};
-        const auto distance = [=](const vec3<T>& p) { return length(p - ball.center) - ball.radius; };
-        const aabb<T> bounds{n.point(), n.point()};
-        const T tolerance = n.number();
-        ask(n, signed_distance{bounds, tolerance, n.number(), distance});
-    },
-    [](numbers<T>& n) {
-        const sphere<T> ball{n.point(), n.number()};
-        ask(n, transformed{ball, transform<T>{n.point(), n.point(), n.point(), n.point()}});
-    },
-    [](numbers<T>& n) {
-        const torus<T> tube{n.point(), n.point(), n.number(), n.number()};
-        const box<T> block{n.point(), n.point()};
-        const sphere<T> ball{n.point(), n.number()};
-        switch (n.count(2)) {
-            case 0:
-                ask(n, union_of(difference_of(tube, block), ball));
-                break;
-            case 1:
-                ask(n, difference_of(block, intersection_of(tube, ball)));
-                break;
-            default:
-                ask(n, intersection_of(union_of(tube, ball), block));
-                break;
-        }
-    },
-    [](numbers<T>& n) {
-        const sphere<T> ball{n.point(), n.number()};
-        const disc<T> round{n.point(), n.point(), n.number()};
-        ask(n, group{ball, round, std::array{any_primitive<T>(ball), any_primitive<T>(round)}});
-    },
-    [](numbers<T>& n) {
-        mesh<T> some;
-        for (const vec3<T>& vertex : corners(n)) some.vertices.push_back(vertex);
-        for (unsigned left = n.count(4); left > 0; --left)
-            some.triangles.push_back({n.count(3), n.count(3), n.count(3)});
-        ask(n, some);
-    },
-    ask_tree<T>,
-    [](numbers<T>& n) {
-        const auto [a, b, c, d] = corners(n);
-        ask(n, bezier_curve<T>{a, b, c, d, n.number(), n.number(), n.number(), n.number()});
-    },
-    [](numbers<T>& n) {
-        curved_surface_of_revolution<T> some{n.point(), n.point(), {}};
-        for (unsigned left = 3 * n.count(2); left > 0; --left) some.profile.push_back(n.pair());
-        some.profile.push_back(n.pair());
-        ask(n, some);
-    },
+struct question {
+    std::string_view name;
+    void (*ask)(numbers<T>&);
+};
+
+/// Every shape, and every way to put shapes together. The corpus counts on their order, tests/fuzz/CMakeLists.txt on a
+/// line for each name.
+template <class T>
+constexpr question<T> questions[] = {
+    {"sphere", ask_made_of<sphere<T>, point, number>},
+    {"ellipsoid", ask_made_of<ellipsoid<T>, point, point>},
+    {"plane", ask_made_of<plane<T>, point, point>},
+    {"disc", ask_made_of<disc<T>, point, point, number>},
+    {"ring", ask_made_of<ring<T>, point, point, number, number>},
+    {"parallelogram", ask_made_of<parallelogram<T>, point, point, point>},
+    {"bilinear_patch", ask_made_of<bilinear_patch<T>, point, point, point, point>},
+    {"triangle", ask_made_of<triangle<T>, point, point, point>},
+    {"watertight_triangle", ask_made_of<watertight_triangle<T>, point, point, point>},
+    {"box", ask_made_of<box<T>, point, point>},
+    {"cylinder", ask_made_of<cylinder<T>, point, point, number>},
+    {"open_cylinder", ask_made_of<open_cylinder<T>, point, point, number>},
+    {"capsule", ask_made_of<capsule<T>, point, point, number>},
+    {"round_cone", ask_made_of<round_cone<T>, point, point, number, number>},
+    {"cone", ask_made_of<cone<T>, point, point, number>},
+    {"open_cone", ask_made_of<open_cone<T>, point, point, number>},
+    {"frustum", ask_made_of<frustum<T>, point, point, number, number>},
+    {"open_frustum", ask_made_of<open_frustum<T>, point, point, number, number>},
+    {"paraboloid", ask_made_of<paraboloid<T>, point, point, number>},
+    {"open_paraboloid", ask_made_of<open_paraboloid<T>, point, point, number>},
+    {"hyperboloid", ask_made_of<hyperboloid<T>, point, point, number, number>},
+    {"open_hyperboloid", ask_made_of<open_hyperboloid<T>, point, point, number, number>},
+    {"two_sheet_hyperboloid", ask_made_of<two_sheet_hyperboloid<T>, point, point, number, number>},
+    {"open_two_sheet_hyperboloid", ask_made_of<open_two_sheet_hyperboloid<T>, point, point, number, number>},
+    {"quadric", ask_made_of<quadric<T>, point, point, point, point, point, number>},
+    {"open_quadric", ask_made_of<open_quadric<T>, point, point, point, point, point, number>},
+    {"torus", ask_made_of<torus<T>, point, point, number, number>},
+    {"steiner", ask_made_of<steiner<T>, point, number>},
+    {"teardrop", ask_made_of<teardrop<T>, point, point, number>},
+    {"algebraic",
+     [](numbers<T>& n) {
+         algebraic<T, 4> some{n.point(), n.point(), {}};
+         for (unsigned left = n.count(6); left > 0; --left) {
+             const T coefficient = n.number();
+             const unsigned x = n.count(4), y = n.count(4 - x);
+             some.terms.push_back({coefficient, x, y, n.count(4 - x - y)});
+         }
+         ask(n, some);
+     }},
+    {"blob",
+     [](numbers<T>& n) {
+         blob<T, 3> some{};
+         for (metaball<T>& ball : some.components) ball = {n.point(), n.number(), n.number(), n.point()};
+         some.threshold = n.number();
+         ask(n, some);
+     }},
+    {"surface_of_revolution",
+     [](numbers<T>& n) {
+         surface_of_revolution<T> some{n.point(), n.point(), {}};
+         for (unsigned left = n.count(5); left > 0; --left) some.profile.push_back(n.pair());
+         ask(n, some);
+     }},
+    {"heightfield",
+     [](numbers<T>& n) {
+         heightfield<T> some{n.pair(), n.pair(), 2 + n.count(2), {}};
+         for (unsigned left = some.columns * (2 + n.count(2)); left > 0; --left) some.heights.push_back(n.number());
+         ask(n, some);
+     }},
+    {"convex_polyhedron",
+     [](numbers<T>& n) {
+         convex_polyhedron<T> some;
+         for (unsigned left = n.count(7); left > 0; --left) some.planes.push_back({n.point(), n.number()});
+         ask(n, some);
+     }},
+    {"oriented_box",
+     [](numbers<T>& n) {
+         const auto [center, x, y, z] = corners(n);
+         ask(n, oriented_box(center, x, y, z));
+     }},
+    {"tetrahedron",
+     [](numbers<T>& n) {
+         const auto [a, b, c, d] = corners(n);
+         ask(n, tetrahedron(a, b, c, d));
+     }},
+    {"pyramid",
+     [](numbers<T>& n) {
+         const std::array<vec3<T>, 4> base = corners(n);
+         ask(n, pyramid(base, n.point()));
+     }},
+    {"prism",
+     [](numbers<T>& n) {
+         const std::array<vec3<T>, 4> base = corners(n);
+         ask(n, prism(base, n.point()));
+     }},
+    {"regular_solid",
+     [](numbers<T>& n) {
+         const vec3<T> center = n.point();
+         ask(n, regular_solid<12>(center, n.number()));
+     }},
+    {"signed_distance",
+     [](numbers<T>& n) {
+         const sphere<T> ball{n.point(), n.number()};
+         const auto distance = [=](const vec3<T>& p) { return length(p - ball.center) - ball.radius; };
+         const aabb<T> bounds{n.point(), n.point()};
+         const T tolerance = n.number();
+         ask(n, signed_distance{bounds, tolerance, n.number(), distance});
+     }},
+    {"transformed",
+     [](numbers<T>& n) {
+         const sphere<T> ball{n.point(), n.number()};
+         ask(n, transformed{ball, transform<T>{n.point(), n.point(), n.point(), n.point()}});
+     }},
+    {"csg",
+     [](numbers<T>& n) {
+         const torus<T> tube{n.point(), n.point(), n.number(), n.number()};
+         const box<T> block{n.point(), n.point()};
+         const sphere<T> ball{n.point(), n.number()};
+         switch (n.count(2)) {
+             case 0:
+                 ask(n, union_of(difference_of(tube, block), ball));
+                 break;
+             case 1:
+                 ask(n, difference_of(block, intersection_of(tube, ball)));
+                 break;
+             default:
+                 ask(n, intersection_of(union_of(tube, ball), block));
+                 break;
+         }
+     }},
+    {"group",
+     [](numbers<T>& n) {
+         const sphere<T> ball{n.point(), n.number()};
+         const disc<T> round{n.point(), n.point(), n.number()};
+         ask(n, group{ball, round, std::array{any_primitive<T>(ball), any_primitive<T>(round)}});
+     }},
+    {"mesh",
+     [](numbers<T>& n) {
+         mesh<T> some;
+         for (const vec3<T>& vertex : corners(n)) some.vertices.push_back(vertex);
+         for (unsigned left = n.count(4); left > 0; --left)
+             some.triangles.push_back({n.count(3), n.count(3), n.count(3)});
+         ask(n, some);
+     }},
+    {"bvh", ask_tree<T>},
+    {"bezier_curve",
+     [](numbers<T>& n) {
+         const auto [a, b, c, d] = corners(n);
+         ask(n, bezier_curve<T>{a, b, c, d, n.number(), n.number(), n.number(), n.number()});
+     }},
+    {"curved_surface_of_revolution",
+     [](numbers<T>& n) {
+         curved_surface_of_revolution<T> some{n.point(), n.point(), {}};
+         for (unsigned left = 3 * n.count(2); left > 0; --left) some.profile.push_back(n.pair());
+         some.profile.push_back(n.pair());
+         ask(n, some);
+     }},
 };
 
 }  // namespace
+
+std::optional<std::uint8_t> first_byte_for(std::string_view name) {
+    const auto found = std::ranges::find(questions<float>, name, &question<float>::name);
+    if (found == std::end(questions<float>)) return {};
+    return static_cast<std::uint8_t>(found - std::begin(questions<float>));
+}
 
 }  // namespace raio::test
 
@@ -284,10 +317,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto kind = static_cast<number_kind>((data[1] >> 1) % 3);
     if ((data[1] & 1) != 0) {
         numbers<double> n(bytes, kind);
-        questions<double>[data[0] % std::size(questions<double>)](n);
+        questions<double>[data[0] % std::size(questions<double>)].ask(n);
     } else {
         numbers<float> n(bytes, kind);
-        questions<float>[data[0] % std::size(questions<float>)](n);
+        questions<float>[data[0] % std::size(questions<float>)].ask(n);
     }
     return 0;
 }

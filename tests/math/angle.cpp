@@ -42,7 +42,7 @@ TEST_CASE_TEMPLATE("fraction: below one, and 0 of what has none", T, RAIO_NUMBER
 TEST_CASE_TEMPLATE("turns and latitude: in range, and as exact as they say", T, RAIO_NUMBERS) {
     random_numbers random(6);
     const double pi = std::numbers::pi, tolerance = sizeof(T) == 4 ? 1e-7 : 1e-15;
-    for (int i = 0; i < 100'000; ++i) {
+    for (int i = 0; i < at_least(100'000); ++i) {
         const T length = static_cast<T>(random.log_uniform(1e-9, 1e9)),
                 angle = static_cast<T>(random.uniform(0, 2 * pi));
         const T y = std::sin(angle) * length, x = std::cos(angle) * length;

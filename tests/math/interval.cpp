@@ -134,7 +134,7 @@ bool in_order(const spans<double, N>& list) {
 
 TEST_CASE("unite, intersect, subtract: as the same question asked of every point") {
     random_numbers random(10);
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < at_least(10'000); ++i) {
         const spans<double, 3> a = random_spans(random), b = random_spans(random);
         const auto sum = unite(a, b), common = intersect(a, b), rest = subtract(a, b);
         REQUIRE((in_order(sum) && in_order(common) && in_order(rest)));

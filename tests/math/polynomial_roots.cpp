@@ -150,7 +150,7 @@ TEST_CASE("polynomial_roots: a clear sign between two roots is no end of the pla
                                     oracle("-5.4515112847240505545"), oracle("-5.4511287388667622628"),
                                     oracle("-5.450421413275354297"),  oracle("4.4826356109457954346")};
     random_numbers random(77);
-    for (int i = 0; i < 1000; ++i) {  // the place is looked for from other sides
+    for (int i = 0; i < at_least(1000); ++i) {  // the place is looked for from other sides
         const double high = random.log_uniform(10, 1e12);
         const auto p = with_roots<strict_double, 8>(oracle(0x1.115bd0459cb54p+3), roots);
         const auto found = roots_between(p, strict_double(-high), strict_double(high));
@@ -232,7 +232,7 @@ TEST_CASE_TEMPLATE("polynomial_roots: the first root beyond a place is the same 
     using E = bound_t<W>;
     random_numbers random(8);
     int complaints = 0, certain = 0;
-    for (int i = 0; i < normal_run / 20; ++i) {
+    for (int i = 0; i < test_rays / 20; ++i) {
         std::vector<oracle> roots;
         for (int n = random.integer(0, 6); n > 0; --n) roots.push_back(oracle(random.uniform(-10, 10)));
         const double from = random.uniform(-11, 11), to = random.one_in(2) ? from : random.uniform(from, 12);
@@ -248,7 +248,7 @@ TEST_CASE_TEMPLATE("polynomial_roots: the first root beyond a place is the same 
         FAIL_CHECK(wrong << ", before " << before << ", from " << from << ", to " << to << ":" << text);
     }
     CHECK(complaints == 0);
-    CHECK(certain > normal_run / 25);
+    CHECK(certain > test_rays / 25);
 }
 
 TEST_CASE_TEMPLATE("polynomial_roots: a root at the end of the interval is not certain", W, strict_double,
@@ -296,7 +296,7 @@ void check_random_roots(int count, int least_certain) {
 }
 
 TEST_CASE("polynomial_roots: no root is lost or invented, and each is as near as is said") {
-    const int count = normal_run / 10;
+    const int count = test_rays / 10;
     check_random_roots<strict_double, 2>(count, 50);
     check_random_roots<strict_double, 3>(count, 50);
     check_random_roots<strict_double, 4>(count, 50);

@@ -98,7 +98,7 @@ T crossing_with(const vec3<T>& center, const ray<double>& ray) {
 
 TEST_CASE("the derivative of t by a sphere's centre is that of finite differences") {
     random_numbers random(5);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < at_least(1000); ++i) {
         const vec3<double> center = random.direction(), from = random.direction() * random.uniform(3, 9);
         const ray<double> ray{from, center + random.direction() * 0.7 - from};
         const dual t = crossing_with<dual>(

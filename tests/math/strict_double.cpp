@@ -20,7 +20,7 @@ TEST_CASE("strict_double: a product is rounded before it is added to") {
     const auto plus = [](double a, double b) { return a + b; };
     const auto minus = [](double a, double b) { return a - b; };
     int contracted = 0, differ = 0;
-    for (int i = 0; i < 100'000; ++i) {
+    for (int i = 0; i < at_least(100'000); ++i) {
         const double a = random.uniform(-1, 1), b = random.uniform(-1, 1), c = -a * b, d = random.uniform(-1, 1);
         const strict_double x(a), y(b), z(c), w(d);
         const double ab = one_by_one(a, b, times), cd = one_by_one(c, d, times);

@@ -13,6 +13,7 @@ A mistake that no test can catch, since it changes no answer, is listed with its
 """
 
 import argparse
+import os
 import pathlib
 import random
 import re
@@ -92,16 +93,16 @@ def outcome(mutation, folder, arguments):
         for test in TESTS[mutation.header]:
             program = folder / "program"
             compiled = subprocess.run(
-                [arguments.compiler, "-std=c++20", "-O1", "-w", "-DGLM_FORCE_XYZW_ONLY", f"-DRAIO_TEST_RAYS={arguments.rays}",
-                 f"-I{folder}/include", f"-I{ROOT}/tests", f"{ROOT}/tests/{test}.cpp", *map(str, folder.glob("*.o")), "-o", str(program)],
+                [arguments.compiler, "-std=c++20", "-O1", "-w", "-DGLM_FORCE_XYZW_ONLY", f"-I{folder}/include", f"-I{ROOT}/tests",
+                 f"{ROOT}/tests/{test}.cpp", *map(str, folder.glob("*.o")), "-o", str(program)],
                 capture_output=True)
             if b"static assertion" in compiled.stderr or b"static_assert" in compiled.stderr:
                 return "caught"  # before the program runs
             if compiled.returncode != 0:
                 return "does not compile"
             try:
-                ran = subprocess.run([str(program), "--test-suite-exclude=nightly", "--abort-after=1"], capture_output=True,
-                                     timeout=arguments.timeout)
+                ran = subprocess.run([str(program), "--abort-after=1"], capture_output=True, timeout=arguments.timeout,
+                                     env=os.environ | {"RAIO_TEST_RAYS": str(arguments.rays)})
             except subprocess.TimeoutExpired:
                 return "caught"
             if ran.returncode != 0:

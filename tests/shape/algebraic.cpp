@@ -158,16 +158,16 @@ TEST_CASE_TEMPLATE("algebraic: properties of every shape", T, RAIO_NUMBERS) {
 // What a ray in 50 digits costs grows with the square of the degree: the higher it is, the fewer there are.
 TEST_CASE_TEMPLATE("algebraic: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<algebraic<T, 4>>();
-    check_accuracy<algebraic<T, 4>>(normal_run / 2);
-    check_accuracy<algebraic<T, 3>>(normal_run / 10, 1.0 / 200);
-    check_accuracy<algebraic<T, 8>>(normal_run / 20, 1.0 / 200);
-    check_bounds_of_errors<algebraic<T, 4>>(normal_run / 10, 0.7);  // faces of the box are not refined
+    check_accuracy<algebraic<T, 4>>(test_rays / 2);
+    check_accuracy<algebraic<T, 3>>(test_rays / 10, 1.0 / 200);
+    check_accuracy<algebraic<T, 8>>(test_rays / 20, 1.0 / 200);
+    check_bounds_of_errors<algebraic<T, 4>>(test_rays / 10, 0.7);  // faces of the box are not refined
 }
 
 TEST_CASE_TEMPLATE("open_algebraic: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<open_algebraic<T, 3>>();
-    check_accuracy<open_algebraic<T, 3>>(normal_run / 5, 1.0 / 200);
-    check_bounds_of_errors<open_algebraic<T, 3>>(normal_run / 10);
+    check_accuracy<open_algebraic<T, 3>>(test_rays / 5, 1.0 / 200);
+    check_bounds_of_errors<open_algebraic<T, 3>>(test_rays / 10);
 }
 
 TEST_CASE_TEMPLATE("algebraic: normal along the gradient, against the ray where there is none", T, RAIO_NUMBERS) {
@@ -175,7 +175,7 @@ TEST_CASE_TEMPLATE("algebraic: normal along the gradient, against the ray where 
     const algebraic<T, 2> ball{{-3, -3, -3}, {3, 3, 3}, {{1, 2, 0, 0}, {1, 0, 2, 0}, {1, 0, 0, 2}, {-4, 0, 0, 0}}};
     const algebraic<T, 2> cone{{-3, -3, -3}, {3, 3, 3}, {{1, 2, 0, 0}, {1, 0, 2, 0}, {-1, 0, 0, 2}}};
     random_numbers random(3);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < at_least(1000); ++i) {
         const vec3<T> from(random.direction() * 6.0), direction(normalize(vec3<T>(random.direction()) - from));
         hit_record<T> rec;
         if (ball.hit({from, direction}, T(0), infinity<T>, rec)) {
@@ -218,13 +218,6 @@ TEST_CASE("algebraic: the derivatives of t, by a number that carries them along"
     CHECK(rec.t.value == doctest::Approx(3));
     CHECK(rec.t.slope[0] == doctest::Approx(-1));
     CHECK(rec.t.slope[1] == doctest::Approx(1));
-}
-
-TEST_CASE_TEMPLATE("algebraic: as exact arithmetic, a million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<algebraic<T, 4>>(nightly_run / 10);
-    check_accuracy<algebraic<T, 8>>(nightly_run / 10);
-    check_accuracy<open_algebraic<T, 3>>(nightly_run / 10, 1.0 / 200);
 }
 
 }  // namespace raio::test

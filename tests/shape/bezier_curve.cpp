@@ -168,15 +168,15 @@ TEST_CASE_TEMPLATE("bezier_curve: properties of every shape", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<bezier_curve<T>>();
-    check_accuracy<bezier_curve<T>>(normal_run / 20,
+    check_accuracy<bezier_curve<T>>(test_rays / 20,
                                     4e-3);  // one in 24 rays is aimed at an end, and some of these are tips
-    check_bounds_of_errors<bezier_curve<T>>(normal_run / 50);
+    check_bounds_of_errors<bezier_curve<T>>(test_rays / 50);
 }
 
 TEST_CASE_TEMPLATE("bezier_curve: one that is straight is a round cone", T, RAIO_NUMBERS) {
     random_numbers random(41);
     int hits = 0;
-    for (int i = 0; i < normal_run / 10; ++i) {
+    for (int i = 0; i < test_rays / 10; ++i) {
         // Whole numbers and halves: what lies at a third and at two thirds is exact.
         const auto point = [&] { return vec3<T>(T(random.integer(-9, 9)), T(random.integer(-9, 9)), T(3)); };
         const vec3<T> base = point(), step = point();
@@ -192,7 +192,7 @@ TEST_CASE_TEMPLATE("bezier_curve: one that is straight is a round cone", T, RAIO
         REQUIRE(length(vec3<T>(rec.normal - expected.normal)) < 16 * std::numeric_limits<T>::epsilon());
         hits += rec.t > 0;
     }
-    CHECK(hits > normal_run / 40);
+    CHECK(hits > test_rays / 40);
 }
 
 TEST_CASE_TEMPLATE("bezier_curve: uv", T, RAIO_NUMBERS) {
@@ -207,11 +207,6 @@ TEST_CASE_TEMPLATE("bezier_curve: uv", T, RAIO_NUMBERS) {
     CHECK(uv({-9, 0, T(2.25)}, {1, 0, 0}) == vec2<T>(0.5, 0.75));
     CHECK(uv({0, 0, -9}, {0, 0, 1}).y == T(0));
     CHECK(uv({0, 0, 9}, {0, 0, -1}).y == T(1));
-}
-
-TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic, half a million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<bezier_curve<T>>(nightly_run / 20, 4e-3);
 }
 
 TEST_CASE_TEMPLATE("bezier_curve: packs, lane by lane", T, RAIO_NUMBERS) {

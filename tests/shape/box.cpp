@@ -77,8 +77,8 @@ TEST_CASE_TEMPLATE("box: properties of every shape", T, RAIO_NUMBERS) { check_pr
 
 TEST_CASE_TEMPLATE("box: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<box<T>>();
-    check_accuracy<box<T>>(normal_run);
-    check_bounds_of_errors<box<T>>(normal_run / 5);
+    check_accuracy<box<T>>(test_rays);
+    check_bounds_of_errors<box<T>>(test_rays / 5);
 }
 
 /// Towards a corner, an edge, or a point of a face or inside, which is met at t = 3; or from there, along every axis
@@ -107,7 +107,7 @@ TEST_CASE_TEMPLATE("box: along faces, at edges and corners, with zeros and denor
                    RAIO_NUMBERS) {
     random_numbers random(20);
     int complaints = 0, hits = 0;
-    for (int i = 0; i < normal_run; ++i) {
+    for (int i = 0; i < test_rays; ++i) {
         const probe<box<T>> p = probe_along_sides<T>(random);
         auto exact_ray = converted<oracle>(p.ray);
         for_each_number(exact_ray.direction, [](oracle& d) { d = abs(d) > oracle(0x1p-1024) ? d : oracle(0); });
@@ -124,7 +124,7 @@ TEST_CASE_TEMPLATE("box: along faces, at edges and corners, with zeros and denor
         if (!wrong.empty() && ++complaints <= 3) FAIL_CHECK(wrong << "\n    {" << literal(p) << "}");
     }
     CHECK(complaints == 0);
-    CHECK(hits > normal_run / 4);
+    CHECK(hits > test_rays / 4);
 }
 
 TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -166,10 +166,6 @@ TEST_CASE_TEMPLATE("box: uv, and the point exactly on the face", T, RAIO_NUMBERS
     CHECK(rec.uv == vec2<T>(0.25, 0.25));
     REQUIRE(bar.hit({{T(0.1), -9, T(0.7)}, {T(0.03), 1, T(0.01)}}, T(0), infinity<T>, rec));
     CHECK((rec.point.y == T(0) && rec.error.y == T(0)));
-}
-
-TEST_CASE_TEMPLATE("box: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
-    check_accuracy<box<T>>(nightly_run);
 }
 
 static_assert(box<double>{{0, 0, 0}, {1, 1, 1}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));

@@ -49,8 +49,8 @@ TEST_CASE_TEMPLATE("capsule: properties of every shape", T, RAIO_NUMBERS) { chec
 
 TEST_CASE_TEMPLATE("capsule: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<capsule<T>>();
-    check_accuracy<capsule<T>>(normal_run);
-    check_bounds_of_errors<capsule<T>>(normal_run / 5);
+    check_accuracy<capsule<T>>(test_rays);
+    check_bounds_of_errors<capsule<T>>(test_rays / 5);
 }
 
 TEST_CASE_TEMPLATE("capsule: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -72,11 +72,6 @@ TEST_CASE_TEMPLATE("capsule: uv", T, RAIO_NUMBERS) {
     CHECK(v({{9, 0, 1}, {-1, 0, 0}}) == T(0.5));
     CHECK(v({{9, 0, 2}, {-1, 0, 0}}) == T(0.75));
     CHECK(v({{0, 0, 9}, {0, 0, -1}}) == T(1));
-}
-
-TEST_CASE_TEMPLATE("capsule: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<capsule<T>>(nightly_run);
 }
 
 }  // namespace raio::test

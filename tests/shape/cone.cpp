@@ -68,8 +68,8 @@ TEST_CASE_TEMPLATE("cone: properties of every shape", T, RAIO_NUMBERS) { check_p
 
 TEST_CASE_TEMPLATE("cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<cone<T>>();
-    check_accuracy<cone<T>>(normal_run / 2);
-    check_bounds_of_errors<cone<T>>(normal_run / 10);
+    check_accuracy<cone<T>>(test_rays / 2);
+    check_bounds_of_errors<cone<T>>(test_rays / 10);
 }
 
 TEST_CASE_TEMPLATE("open_cone: named cases", T, RAIO_NUMBERS) {
@@ -105,8 +105,8 @@ TEST_CASE_TEMPLATE("open_cone: named cases", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("open_cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<open_cone<T>>(); }
 
 TEST_CASE_TEMPLATE("open_cone: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_cone<T>>(normal_run / 2, 1.0 / 200);
-    check_bounds_of_errors<open_cone<T>>(normal_run / 10);
+    check_accuracy<open_cone<T>>(test_rays / 2, 1.0 / 200);
+    check_bounds_of_errors<open_cone<T>>(test_rays / 10);
 }
 
 TEST_CASE_TEMPLATE("cone: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -147,15 +147,6 @@ TEST_CASE("cone: the derivatives of t, by a number that carries them along") {
     CHECK(rec.t.slope[0] == doctest::Approx(-0.5));
     CHECK(rec.t.slope[1] == doctest::Approx(1));
     CHECK(rec.t.slope[2] == doctest::Approx(1));
-}
-
-TEST_CASE_TEMPLATE("cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
-    check_accuracy<cone<T>>(nightly_run);
-}
-
-TEST_CASE_TEMPLATE("open_cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<open_cone<T>>(nightly_run, 1.0 / 200);
 }
 
 }  // namespace raio::test

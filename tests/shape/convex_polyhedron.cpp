@@ -124,13 +124,8 @@ TEST_CASE_TEMPLATE("convex_polyhedron: properties of every shape", T, RAIO_NUMBE
 
 TEST_CASE_TEMPLATE("convex_polyhedron: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<convex_polyhedron<T>>();
-    check_accuracy<convex_polyhedron<T>>(normal_run);
-    check_bounds_of_errors<convex_polyhedron<T>>(normal_run / 5);
-}
-
-TEST_CASE_TEMPLATE("convex_polyhedron: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<convex_polyhedron<T>>(nightly_run);
+    check_accuracy<convex_polyhedron<T>>(test_rays);
+    check_bounds_of_errors<convex_polyhedron<T>>(test_rays / 5);
 }
 
 }  // namespace raio::test

@@ -123,7 +123,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: named cases", T, RAIO_NUMBERS)
 TEST_CASE_TEMPLATE("curved surface of revolution: straight lines and a parabola", T, RAIO_NUMBERS) {
     random_numbers random(34);
     int hits = 0;
-    for (int i = 0; i < normal_run / 5; ++i) {
+    for (int i = 0; i < test_rays / 5; ++i) {
         // Thirds of a line between whole numbers, three times as large.
         const auto whole = [&](int low) { return vec2<T>(T(random.integer(low, 3)), T(random.integer(-3, 3))); };
         const vec2<T> from = whole(1) * T(3), to = whole(0) * T(3), third = (to - from) / T(3);
@@ -147,7 +147,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: straight lines and a parabola"
         if (from != to) compare(curved, straight);
         compare(dish, parabola);
     }
-    CHECK(hits > normal_run / 20);
+    CHECK(hits > test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("curved surface of revolution: across the axis, where roots are double, to the last digit", T,
@@ -166,7 +166,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: across the axis, where roots a
 
 TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_NUMBERS) {
     random_numbers random(35);
-    const int rays = normal_run / 25;
+    const int rays = test_rays / 25;
     int hits = 0, undecided = 0, refinements = 0, open = 0;
     for (int i = 0; i < rays; ++i) {
         const auto s = random_curved_surface<T>(random);
@@ -290,7 +290,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: closed where its profile begin
                                                 {T(0.8), T(1.6)},
                                                 {T(0.3), T(1.7)},
                                                 {0, T(1.7)}}};
-    for (int i = 0; i < normal_run / 5; ++i) {
+    for (int i = 0; i < test_rays / 5; ++i) {
         const vec3<T> from = vase.base + vase.axis * static_cast<T>(random.uniform(0.2, 1.5));
         const vec2<T> rim = vase.profile[static_cast<std::size_t>(3 * random.integer(0, 3))];
         const vec3<T> target =

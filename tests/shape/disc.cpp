@@ -48,8 +48,8 @@ TEST_CASE_TEMPLATE("disc: properties of every shape", T, RAIO_NUMBERS) { check_p
 
 TEST_CASE_TEMPLATE("disc: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<disc<T>>();
-    check_accuracy<disc<T>>(normal_run);
-    check_bounds_of_errors<disc<T>>(normal_run / 5);
+    check_accuracy<disc<T>>(test_rays);
+    check_bounds_of_errors<disc<T>>(test_rays / 5);
 }
 
 TEST_CASE_TEMPLATE("disc: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -68,10 +68,6 @@ TEST_CASE_TEMPLATE("disc: uv", T, RAIO_NUMBERS) {
     CHECK(rec.uv.y == T(0.5));
     REQUIRE(large.hit({{1, 5, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(rec.uv.y == T(1));
-}
-
-TEST_CASE_TEMPLATE("disc: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
-    check_accuracy<disc<T>>(nightly_run);
 }
 
 static_assert(disc<double>{{0, 0, 0}, {0, 0, 1}, 1}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));

@@ -51,8 +51,8 @@ TEST_CASE_TEMPLATE("ellipsoid: properties of every shape", T, RAIO_NUMBERS) { ch
 
 TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<ellipsoid<T>>();
-    check_accuracy<ellipsoid<T>>(normal_run / 2);
-    check_bounds_of_errors<ellipsoid<T>>(normal_run / 10);
+    check_accuracy<ellipsoid<T>>(test_rays / 2);
+    check_bounds_of_errors<ellipsoid<T>>(test_rays / 10);
 }
 
 TEST_CASE_TEMPLATE("ellipsoid: uv and normal", T, RAIO_NUMBERS) {
@@ -70,11 +70,6 @@ TEST_CASE_TEMPLATE("ellipsoid: uv and normal", T, RAIO_NUMBERS) {
     // (3, 2, 0) is on the diagonal of the sphere; the gradient there is (1 / 3, 1 / 2, 0).
     CHECK(length(hit({3, 2, 0}).normal - normalize(vec3<T>(2, 3, 0))) < 4 * std::numeric_limits<T>::epsilon());
     CHECK(hit({3, 2, 0}).uv.y == doctest::Approx(0.75));
-}
-
-TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<ellipsoid<T>>(nightly_run);
 }
 
 }  // namespace raio::test

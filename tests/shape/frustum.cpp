@@ -77,8 +77,8 @@ TEST_CASE_TEMPLATE("frustum: properties of every shape", T, RAIO_NUMBERS) { chec
 
 TEST_CASE_TEMPLATE("frustum: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<frustum<T>>();
-    check_accuracy<frustum<T>>(normal_run / 2);
-    check_bounds_of_errors<frustum<T>>(normal_run / 10);
+    check_accuracy<frustum<T>>(test_rays / 2);
+    check_bounds_of_errors<frustum<T>>(test_rays / 10);
 }
 
 TEST_CASE_TEMPLATE("open_frustum: named cases", T, RAIO_NUMBERS) {
@@ -116,8 +116,8 @@ TEST_CASE_TEMPLATE("open_frustum: named cases", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("open_frustum: properties of every shape", T, RAIO_NUMBERS) { check_properties<open_frustum<T>>(); }
 
 TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_frustum<T>>(normal_run / 2, 1.0 / 200);
-    check_bounds_of_errors<open_frustum<T>>(normal_run / 10);
+    check_accuracy<open_frustum<T>>(test_rays / 2, 1.0 / 200);
+    check_bounds_of_errors<open_frustum<T>>(test_rays / 10);
 }
 
 /// How much of the side's area lies below a height of the lamp that the tests of samples use.
@@ -164,16 +164,6 @@ TEST_CASE_TEMPLATE("frustum: uv and normal", T, RAIO_NUMBERS) {
     CHECK(length(hit({{0, 0, 1}, {1, 0, 0}}).normal - vec3<T>(-half, 0, -half)) <
           2 * std::numeric_limits<T>::epsilon());
     CHECK(hit({{0, 0, 9}, {0, 0, -1}}).normal == vec3<T>(0, 0, 1));
-}
-
-TEST_CASE_TEMPLATE("frustum: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<frustum<T>>(nightly_run);
-}
-
-TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<open_frustum<T>>(nightly_run, 1.0 / 200);
 }
 
 }  // namespace raio::test

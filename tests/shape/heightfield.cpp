@@ -77,7 +77,7 @@ ray<T> random_ray(const heightfield<T>& field, random_numbers& random) {
 TEST_CASE_TEMPLATE("heightfield: what the loop over its triangles answers, bit for bit", T, RAIO_NUMBERS) {
     random_numbers random(5);
     int complaints = 0, hits = 0;
-    for (int i = 0; i < normal_run / 2; ++i) {
+    for (int i = 0; i < test_rays / 2; ++i) {
         const heightfield<T> field = random_field<T>(random);
         const ray<T> ray = random_ray(field, random);
         T t_min(0), t_max = infinity<T>;
@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("heightfield: what the loop over its triangles answers, bit f
                        << ", found " << literal(found) << ", " << literal(t_min) << ", " << literal(t_max));
     }
     CHECK(complaints == 0);
-    CHECK(hits > normal_run / 10);
+    CHECK(hits > test_rays / 10);
 }
 
 TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
@@ -168,7 +168,7 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("heightfield: what is spawned on it does not meet it where it left", T, RAIO_NUMBERS) {
     random_numbers random(6);
     int again = 0;
-    for (int i = 0; i < normal_run / 10; ++i) {
+    for (int i = 0; i < test_rays / 10; ++i) {
         const heightfield<T> field = random_field<T>(random);
         hit_record<T> rec, next;
         if (!field.hit(random_ray(field, random), T(0), infinity<T>, rec)) continue;

@@ -52,8 +52,8 @@ TEST_CASE_TEMPLATE("hyperboloid: properties of every shape", T, RAIO_NUMBERS) { 
 
 TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<hyperboloid<T>>();
-    check_accuracy<hyperboloid<T>>(normal_run / 4);
-    check_bounds_of_errors<hyperboloid<T>>(normal_run / 20);
+    check_accuracy<hyperboloid<T>>(test_rays / 4);
+    check_bounds_of_errors<hyperboloid<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("open_hyperboloid: named cases", T, RAIO_NUMBERS) {
@@ -92,8 +92,8 @@ TEST_CASE_TEMPLATE("open_hyperboloid: properties of every shape", T, RAIO_NUMBER
 }
 
 TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_hyperboloid<T>>(normal_run / 4, 1.0 / 200);
-    check_bounds_of_errors<open_hyperboloid<T>>(normal_run / 20);
+    check_accuracy<open_hyperboloid<T>>(test_rays / 4, 1.0 / 200);
+    check_bounds_of_errors<open_hyperboloid<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("hyperboloid: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<hyperboloid<T>>(400); }
@@ -134,16 +134,6 @@ TEST_CASE_TEMPLATE("hyperboloid: samples are spread evenly over the area", T, RA
     const vec3<T> base(1, 2, 3), top(1, 2, 5);
     check_samples<T>(open_hyperboloid<T>{base, top, 1, 2}, hyperboloid<T>{base, top, 1, 2});
     check_samples<T>(open_hyperboloid<T>{base, top, 2, 1}, hyperboloid<T>{base, top, 2, 1});
-}
-
-TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<hyperboloid<T>>(nightly_run);
-}
-
-TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<open_hyperboloid<T>>(nightly_run, 1.0 / 200);
 }
 
 }  // namespace raio::test

@@ -54,8 +54,8 @@ TEST_CASE_TEMPLATE("paraboloid: properties of every shape", T, RAIO_NUMBERS) { c
 
 TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<paraboloid<T>>();
-    check_accuracy<paraboloid<T>>(normal_run / 2);
-    check_bounds_of_errors<paraboloid<T>>(normal_run / 10);
+    check_accuracy<paraboloid<T>>(test_rays / 2);
+    check_bounds_of_errors<paraboloid<T>>(test_rays / 10);
 }
 
 TEST_CASE_TEMPLATE("open_paraboloid: named cases", T, RAIO_NUMBERS) {
@@ -84,8 +84,8 @@ TEST_CASE_TEMPLATE("open_paraboloid: properties of every shape", T, RAIO_NUMBERS
 }
 
 TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_paraboloid<T>>(normal_run / 2, 1.0 / 200);
-    check_bounds_of_errors<open_paraboloid<T>>(normal_run / 10);
+    check_accuracy<open_paraboloid<T>>(test_rays / 2, 1.0 / 200);
+    check_bounds_of_errors<open_paraboloid<T>>(test_rays / 10);
 }
 
 TEST_CASE_TEMPLATE("paraboloid: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -129,16 +129,6 @@ TEST_CASE_TEMPLATE("paraboloid: uv and normal", T, RAIO_NUMBERS) {
     const T root = T(std::sqrt(0.2));  // the gradient is (2 x, 2 y, -1)
     CHECK(length(hit({{9, 0, 1}, {-1, 0, 0}}).normal - vec3<T>(2 * root, 0, -root)) <
           2 * std::numeric_limits<T>::epsilon());
-}
-
-TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<paraboloid<T>>(nightly_run);
-}
-
-TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<open_paraboloid<T>>(nightly_run, 1.0 / 200);
 }
 
 }  // namespace raio::test

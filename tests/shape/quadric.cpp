@@ -134,14 +134,14 @@ TEST_CASE_TEMPLATE("quadric: properties of every shape", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("quadric: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<quadric<T>>();
-    check_accuracy<quadric<T>>(normal_run);
-    check_bounds_of_errors<quadric<T>>(normal_run / 5, 0.7);  // faces of the box are not refined
+    check_accuracy<quadric<T>>(test_rays);
+    check_bounds_of_errors<quadric<T>>(test_rays / 5, 0.7);  // faces of the box are not refined
 }
 
 TEST_CASE_TEMPLATE("open_quadric: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<open_quadric<T>>();
-    check_accuracy<open_quadric<T>>(normal_run / 2, 1.0 / 200);
-    check_bounds_of_errors<open_quadric<T>>(normal_run / 10);
+    check_accuracy<open_quadric<T>>(test_rays / 2, 1.0 / 200);
+    check_bounds_of_errors<open_quadric<T>>(test_rays / 10);
 }
 
 TEST_CASE_TEMPLATE("quadric: all crossings", T, RAIO_NUMBERS) {
@@ -160,12 +160,6 @@ TEST_CASE("quadric: the derivatives of t, by a number that carries them along") 
     CHECK(rec.t.value == doctest::Approx(3));
     CHECK(rec.t.slope[0] == doctest::Approx(0.25));  // the radius is the root of the constant
     CHECK(rec.t.slope[1] == doctest::Approx(1));
-}
-
-TEST_CASE_TEMPLATE("quadric: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<quadric<T>>(nightly_run);
-    check_accuracy<open_quadric<T>>(nightly_run, 1.0 / 200);
 }
 
 TEST_CASE_TEMPLATE("quadric: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<quadric<T>>(400); }

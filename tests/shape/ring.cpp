@@ -51,8 +51,8 @@ TEST_CASE_TEMPLATE("ring: properties of every shape", T, RAIO_NUMBERS) { check_p
 
 TEST_CASE_TEMPLATE("ring: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<ring<T>>();
-    check_accuracy<ring<T>>(normal_run);
-    check_bounds_of_errors<ring<T>>(normal_run / 5);
+    check_accuracy<ring<T>>(test_rays);
+    check_bounds_of_errors<ring<T>>(test_rays / 5);
 }
 
 TEST_CASE_TEMPLATE("ring: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -71,10 +71,6 @@ TEST_CASE_TEMPLATE("ring: uv", T, RAIO_NUMBERS) {
         REQUIRE(flat.hit({{x, 1, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
         CHECK((rec.uv.y == v && rec.uv.x == T(0)));
     }
-}
-
-TEST_CASE_TEMPLATE("ring: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
-    check_accuracy<ring<T>>(nightly_run);
 }
 
 }  // namespace raio::test

@@ -54,8 +54,8 @@ TEST_CASE_TEMPLATE("round_cone: properties of every shape", T, RAIO_NUMBERS) { c
 
 TEST_CASE_TEMPLATE("round_cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<round_cone<T>>();
-    check_accuracy<round_cone<T>>(normal_run);
-    check_bounds_of_errors<round_cone<T>>(normal_run / 5);
+    check_accuracy<round_cone<T>>(test_rays);
+    check_bounds_of_errors<round_cone<T>>(test_rays / 5);
 }
 
 TEST_CASE_TEMPLATE("round_cone: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -100,11 +100,6 @@ TEST_CASE_TEMPLATE("round_cone: uv", T, RAIO_NUMBERS) {
     CHECK(v({{9, 0, T(1.5)}, {-1, 0, 0}}) == T(0.25));
     CHECK(v({{9, 0, 4}, {-1, 0, 0}}) == T(0.5));
     CHECK(v({{0, 0, 19}, {0, 0, -1}}) == T(1));
-}
-
-TEST_CASE_TEMPLATE("round_cone: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<round_cone<T>>(nightly_run);
 }
 
 }  // namespace raio::test

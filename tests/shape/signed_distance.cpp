@@ -47,7 +47,7 @@ void check_beside(const signed_distance<T, Function>& shape, const Exact& exact,
                   const Exact& smaller) {
     random_numbers random(9);
     int hits = 0, compared = 0;
-    for (int i = 0; i < normal_run / 5; ++i) {
+    for (int i = 0; i < test_rays / 5; ++i) {
         const ray<T> ray = random_ray<T>(random);
         INFO(literal(ray));
         hit_record<T> rec = untouched_record<T>(), again;
@@ -85,8 +85,8 @@ void check_beside(const signed_distance<T, Function>& shape, const Exact& exact,
             REQUIRE(again.front_face == ((dot(rec.normal, direction) > T(0)) == rec.front_face));
         }
     }
-    CHECK(hits > normal_run / 20);
-    CHECK(compared > normal_run / 6);
+    CHECK(hits > test_rays / 20);
+    CHECK(compared > test_rays / 6);
 }
 
 }  // namespace

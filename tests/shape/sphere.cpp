@@ -73,8 +73,8 @@ TEST_CASE_TEMPLATE("sphere: properties of every shape", T, RAIO_NUMBERS) { check
 
 TEST_CASE_TEMPLATE("sphere: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<sphere<T>>();
-    check_accuracy<sphere<T>>(normal_run);
-    check_bounds_of_errors<sphere<T>>(normal_run / 5);
+    check_accuracy<sphere<T>>(test_rays);
+    check_bounds_of_errors<sphere<T>>(test_rays / 5);
 }
 
 TEST_CASE_TEMPLATE("sphere: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -101,10 +101,6 @@ TEST_CASE_TEMPLATE("sphere: uv", T, RAIO_NUMBERS) {
     CHECK(uv({0, 1, 0}).y == 1);
     CHECK(uv({0, -1, 0}).y == 0);
     CHECK(uv({1, 1, 0}).y == doctest::Approx(0.75));
-}
-
-TEST_CASE_TEMPLATE("sphere: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
-    check_accuracy<sphere<T>>(nightly_run);
 }
 
 #if defined(__GNUC__) && !defined(__clang__)  // whose square root is constexpr

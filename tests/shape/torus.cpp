@@ -139,8 +139,8 @@ TEST_CASE_TEMPLATE("torus: properties of every shape", T, RAIO_NUMBERS) { check_
 
 TEST_CASE_TEMPLATE("torus: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<torus<T>>();
-    check_accuracy<torus<T>>(normal_run);
-    check_bounds_of_errors<torus<T>>(normal_run / 5);
+    check_accuracy<torus<T>>(test_rays);
+    check_bounds_of_errors<torus<T>>(test_rays / 5);
 }
 
 TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -165,7 +165,7 @@ TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, RAIO_NUM
 
     random_numbers random(5);
     const torus<T> spindle{{0, 0, 0}, {3, 0, 1}, 1, 2};
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < at_least(1000); ++i) {
         const T v = i < 100 ? T(1) - T(i + 1) * T(unit_roundoff<T>) : T(random.uniform());  // to the very tip, too
         const surface_sample<T> s = spindle.sample({T(random.uniform()), v});
         const oracle distance = subject<torus<T>>::distance(converted<oracle>(spindle), converted<oracle>(s.point));
@@ -205,10 +205,6 @@ TEST_CASE("torus: the derivatives of t, by a number that carries them along") {
     CHECK(rec.t.slope[0] == doctest::Approx(-1));
     CHECK(rec.t.slope[1] == doctest::Approx(-1));
     CHECK(rec.t.slope[2] == doctest::Approx(1));
-}
-
-TEST_CASE_TEMPLATE("torus: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T, RAIO_NUMBERS) {
-    check_accuracy<torus<T>>(nightly_run);
 }
 
 TEST_CASE_TEMPLATE("torus: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<torus<T>>(400); }

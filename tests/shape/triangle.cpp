@@ -22,8 +22,8 @@ TEST_CASE_TEMPLATE("triangle: properties of every shape", T, RAIO_NUMBERS) { che
 
 TEST_CASE_TEMPLATE("triangle: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<triangle<T>>();
-    check_accuracy<triangle<T>>(normal_run);
-    check_bounds_of_errors<triangle<T>>(normal_run / 5);
+    check_accuracy<triangle<T>>(test_rays);
+    check_bounds_of_errors<triangle<T>>(test_rays / 5);
 }
 
 TEST_CASE_TEMPLATE("triangle: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
@@ -40,11 +40,6 @@ TEST_CASE_TEMPLATE("triangle: far from the origin as well, and what neighbours s
     const vec3<double> place(148376, 1234, -223423);
     check_closed_mesh(icosphere<triangle<T>>(), 1000, place);
     check_closed_mesh(cube_of_fans<triangle<T>>(), 1, place);
-}
-
-TEST_CASE_TEMPLATE("triangle: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<triangle<T>>(nightly_run);
 }
 
 static_assert(triangle<double>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}.occluded({{0.25, 0.25, 5}, {0, 0, -1}}, 0, 9));

@@ -41,8 +41,8 @@ TEST_CASE_TEMPLATE("two_sheet_hyperboloid: properties of every shape", T, RAIO_N
 
 TEST_CASE_TEMPLATE("two_sheet_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<two_sheet_hyperboloid<T>>();
-    check_accuracy<two_sheet_hyperboloid<T>>(normal_run / 4);
-    check_bounds_of_errors<two_sheet_hyperboloid<T>>(normal_run / 20);
+    check_accuracy<two_sheet_hyperboloid<T>>(test_rays / 4);
+    check_bounds_of_errors<two_sheet_hyperboloid<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: named cases", T, RAIO_NUMBERS) {
@@ -66,8 +66,8 @@ TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: properties of every shape", T, R
 }
 
 TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_two_sheet_hyperboloid<T>>(normal_run / 4, 1.0 / 200);
-    check_bounds_of_errors<open_two_sheet_hyperboloid<T>>(normal_run / 20);
+    check_accuracy<open_two_sheet_hyperboloid<T>>(test_rays / 4, 1.0 / 200);
+    check_bounds_of_errors<open_two_sheet_hyperboloid<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("two_sheet_hyperboloid: packs, lane by lane", T, RAIO_NUMBERS) {
@@ -91,17 +91,6 @@ TEST_CASE_TEMPLATE("two_sheet_hyperboloid: area, and samples spread evenly over 
     CHECK(open_two_sheet_hyperboloid<T>{{0, 0, 0}, {0, 0, 3}, 1, 2}.area() == T(0));
     check_samples<T>(open_two_sheet_hyperboloid<T>{base, top, T(0.5), 2},
                      two_sheet_hyperboloid<T>{base, top, T(0.5), 2});
-}
-
-TEST_CASE_TEMPLATE("two_sheet_hyperboloid: as exact arithmetic, ten million times" * doctest::test_suite("nightly"), T,
-                   RAIO_NUMBERS) {
-    check_accuracy<two_sheet_hyperboloid<T>>(nightly_run);
-}
-
-TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: as exact arithmetic, ten million times" *
-                       doctest::test_suite("nightly"),
-                   T, RAIO_NUMBERS) {
-    check_accuracy<open_two_sheet_hyperboloid<T>>(nightly_run, 1.0 / 200);
 }
 
 }  // namespace raio::test

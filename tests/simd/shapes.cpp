@@ -22,7 +22,7 @@ namespace raio::test {
 template <class Shape>
 void check_packs(double may_be_left_open = 0.01) {
     using P = pack<number_t<Shape>>;
-    check_lanes_of_hits<Shape, P>(normal_run / 20);
+    check_lanes_of_hits<Shape, P>(test_rays / 20);
     const double open = fraction_left_open<P, Shape>(20'000);
     MESSAGE("left open: " << 100 * open << " %");
     CHECK(open < may_be_left_open);

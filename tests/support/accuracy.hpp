@@ -222,7 +222,7 @@ template <class Shape>
 void check_oracle() {
     using exact_shape = decltype(converted<oracle>(std::declval<Shape>()));
     random_numbers random(1);
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < at_least(2000); ++i) {
         const probe<Shape> p = scattered_probe<Shape>(random);
         const exact_shape shape = converted<oracle>(p.shape);
         const vec3<oracle> inside(subject<Shape>::inner_point(p.shape, random)), direction(random.direction());

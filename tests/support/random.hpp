@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <numbers>
+#include <string>
 
 #include <raio/math/vec.hpp>
 
@@ -48,17 +51,19 @@ private:
     std::uint64_t state_;
 };
 
-/// How many rays the comparisons with the oracle send. The answers are the same bits from every compiler, and
-/// sanitizers are slow: one compiler sends them all, others a part of them. -DRAIO_TEST_RAYS=N sends N.
-#if defined(RAIO_TEST_RAYS)
-inline constexpr int normal_run = RAIO_TEST_RAYS;
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr int normal_run = 5'000;
-#elif defined(__has_feature)
-inline constexpr int normal_run = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) ? 5'000 : 20'000;
-#else
-inline constexpr int normal_run = 100'000;
-#endif
+/// How many rays the comparisons with the oracle send: 100,000, or what RAIO_TEST_RAYS says in the environment. The
+/// answers are the same bits from every compiler, and sanitizers are slow: one compiler sends them all, the presets of
+/// others a part of them, and the tests labelled nightly a hundred times as many.
+inline const int test_rays = [] {
+    const char* wanted = std::getenv("RAIO_TEST_RAYS");
+    return wanted != nullptr ? std::stoi(wanted) : 100'000;
+}();
+
+/// What stands for a number that is `count` in a run of 100,000 rays.
+inline int share_of(int count) { return static_cast<int>(std::int64_t{count} * test_rays / 100'000); }
+/// So many, more in a longer run.
+inline int at_least(int count) { return std::max(count, share_of(count)); }
+
 /// The types of numbers that the shapes are tested with. What is made for floats is made for doubles as well, and more:
 /// under the address sanitizer, which makes compiling slow, those alone.
 #if defined(__has_feature)
@@ -69,9 +74,5 @@ inline constexpr int normal_run = 100'000;
 #if !defined(RAIO_NUMBERS)
 #define RAIO_NUMBERS float, double
 #endif
-
-/// The same part of another number.
-constexpr int share_of(int count) { return count / (100'000 / normal_run); }
-inline constexpr int nightly_run = 10'000'000;
 
 }  // namespace raio::test

@@ -127,7 +127,7 @@ bool same(const hit_record<T>& a, const hit_record<T>& b) {
 
 /// The tree answers what the loop over all shapes answers.
 template <class Tree, class Loop>
-void check_like(const Tree& tree, const Loop& loop, random_numbers& random, int rays = normal_run / 10) {
+void check_like(const Tree& tree, const Loop& loop, random_numbers& random, int rays = test_rays / 10) {
     using T = number_t<Tree>;
     int hits = 0;
     for (int i = 0; i < rays; ++i) {
