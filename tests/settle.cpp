@@ -249,6 +249,28 @@ TEST_CASE("record_point: the error holds along each axis, and is no larger than 
     check_recorded_error<X, double>();
 }
 
+TEST_CASE_TEMPLATE("record: where numbers leave no normal, it is against the ray", T, float, double) {
+    struct without_normal {
+        vec3<T> normal;
+        void surface(const ray<T>&, const crossing<W>&, hit_record<T>& rec) const { rec.normal = normal; }
+    };
+    const ray<T> along{{0, 0, 0}, {0, 3, -4}};
+    hit_record<T> rec;
+    detail::record(without_normal{normalize(vec3<T>(0))}, along, at<W>(1), rec);
+    CHECK(length(vec3<T>(rec.normal - vec3<T>(0, T(-0.6), T(0.8)))) < std::numeric_limits<T>::epsilon());
+    detail::record(without_normal{{0, 1, 0}}, along, at<W>(1), rec);
+    CHECK(rec.normal == vec3<T>(0, 1, 0));
+}
+
+TEST_CASE_TEMPLATE("record_point: beyond the largest number it is the nearest that there is", T, float, double) {
+    constexpr T most = std::numeric_limits<T>::max();
+    hit_record<T> rec;
+    record_point(ray<T>{{most, -most, 0}, {most, -most, 1}}, at<W>(1), rec);
+    CHECK(rec.point == vec3<T>(most, -most, 1));
+    record_point_between({vec3<T>(0), vec3<T>(2, 0, 1)}, ray<T>{{1, -1, 5}, {3, 0, 0}}, at<W>(1), rec);
+    CHECK(rec.point == vec3<T>(2, 0, 1));
+}
+
 TEST_CASE_TEMPLATE("record_point: an error without end is the largest number", T, float, double) {
     constexpr T most = std::numeric_limits<T>::max();
     for (glm::length_t axis = 0; axis < 3; ++axis) {

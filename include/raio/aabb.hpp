@@ -50,12 +50,18 @@ RAIO_FN constexpr T outward(const T& x, const T& towards) {
     return x + copysign(abs(x) * T(std::numeric_limits<S>::epsilon()) + T(std::numeric_limits<S>::min()), towards);
 }
 
-/// The box with every side moved outwards by an ulp or two, so that a point that was rounded onto it stays inside.
+/// The box with every side moved outwards by an ulp or two, so that a point that was rounded onto it stays inside; and
+/// by a 64th of what is an ulp of its largest coordinate, since a side at 0 has no ulp of its own to speak of, and
+/// points are off by more that are reached from far away.
 template <real T>
 RAIO_FN constexpr aabb<T> padded(const aabb<T>& box) {
-    const T up(1), down(-1);
-    return {{outward(box.min.x, down), outward(box.min.y, down), outward(box.min.z, down)},
-            {outward(box.max.x, up), outward(box.max.y, up), outward(box.max.z, up)}};
+    const auto largest = [](const vec3<T>& v) {
+        const auto size = [](const T& x) { return select(is_finite(x), abs(x), T(0)); };
+        return max(max(size(v.x), size(v.y)), size(v.z));
+    };
+    const T up(1), down(-1), blur = max(largest(box.min), largest(box.max)) * T(0x1p-5 * unit_roundoff<T>);
+    return {vec3<T>(outward(box.min.x, down), outward(box.min.y, down), outward(box.min.z, down)) - vec3<T>(blur),
+            vec3<T>(outward(box.max.x, up), outward(box.max.y, up), outward(box.max.z, up)) + vec3<T>(blur)};
 }
 
 /// How far a disc reaches along each axis: the radius times the sine of the angle between the axis and the normal.

@@ -122,8 +122,8 @@ RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, co
     vec3<Q> sideways = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
     vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
     Q steep = length(outward);
-    const mask_t<T> waist = !(steep > Q(0));
-    if (any(waist)) {  // too narrow for a normal: it is the axis, against the ray
+    const mask_t<T> waist = !every(steep > Q(0), is_finite(steep));
+    if (any(waist)) {  // too narrow for a normal, or too wide: it is the axis, against the ray
         const Q turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction)))) * select(c.entering, Q(1), Q(-1));
         outward = select(waist, up * turned, outward), steep = select(waist, length(up), steep);
     }

@@ -98,9 +98,9 @@ RAIO_FN constexpr mask_t<W> is_unwanted([[maybe_unused]] const Wanted& wanted, [
     if constexpr (std::same_as<Wanted, first_from<W>>) {
         using E = bound_t<W>;
         // Twice the errors, for the roundings here and that of t.
-        E begin(wanted.t_min), end(wanted.t_max), error = E(2) * way_error, of_size = E(2) * size_error;
-        return some(E(way) +
-                    error<begin*(E(size) - flip(of_size, begin)), E(way) - error> end * (E(size) + flip(of_size, end)));
+        E begin(wanted.t_min), end(wanted.t_max), of_way = E(2) * way_error, of_size = E(2) * size_error;
+        E earliest = E(way) - of_way, latest = E(way) + of_way;
+        return some(latest < begin * (E(size) - flip(of_size, begin)), end * (E(size) + flip(of_size, end)) < earliest);
     } else {
         return size != size;
     }

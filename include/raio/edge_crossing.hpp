@@ -120,16 +120,6 @@ RAIO_FN constexpr crossing<W> correct_edges(const vec3<T>& corner, const vec3<X>
     return missing.at;
 }
 
-/// Records a point that lies between corners: seen edge-on, the computed one may lie beyond them.
-template <class W, real R, real T, real N>
-RAIO_FN constexpr void record_point_between(const aabb<T>& corners, const ray<R>& ray, const crossing<W>& at,
-                                            hit_record<T, N>& rec, T bend = T(0)) {
-    record_point(ray, at, rec, bend);
-    const auto between = [](T low, T high, T x) { return max(low, min(high, x)); };
-    rec.point = {between(corners.min.x, corners.max.x, rec.point.x), between(corners.min.y, corners.max.y, rec.point.y),
-                 between(corners.min.z, corners.max.z, rec.point.z)};
-}
-
 /// Records the crossing with a flat shape that has such edges.
 template <class W, real R, real T, real N>
 RAIO_FN constexpr void record_flat(const aabb<T>& corners, const vec3<W>& e1, const vec3<W>& e2, const ray<R>& ray,

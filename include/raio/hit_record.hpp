@@ -18,6 +18,14 @@ struct hit_record {
     mask_t<T> front_face{};  ///< did the ray come from outside? The outward normal is `front_face ? normal : -normal`
 };
 
+/// The nearest that T can say to a point beyond its largest number.
+template <real T>
+RAIO_FN constexpr vec3<T> within_range(const vec3<T>& p) {
+    const T most(std::numeric_limits<scalar_t<T>>::max());
+    const auto clamped = [&](const T& x) { return max(-most, min(most, x)); };
+    return {clamped(p.x), clamped(p.y), clamped(p.z)};
+}
+
 /// Takes `from` over into `to`, in the lanes of the mask.
 template <real T, real N>
 RAIO_FN constexpr void assign(mask_t<T> mask, hit_record<T, N>& to, const hit_record<T, N>& from) {

@@ -220,6 +220,7 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
         E square_error = m_error * (E(2) * m + m_error) + n2_error * (abs(E(beyond.value)) + beyond.error) +
                          abs(E(n2.coefficient[0])) * beyond.error +
                          E(8 * unit_roundoff<W>) * (E(middle * middle) + abs(E(n2.coefficient[0] * beyond.value)));
+        if (!simple && E(square) < -square_error) continue;  // a level line that passes the circle at its height by
         W half = sqrt(max(square, W(0)));
         E half_error =
             E(square) > E(2) * square_error ? square_error / E(half) : E(2) * sqrt(abs(E(square)) + square_error);

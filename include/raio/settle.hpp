@@ -170,6 +170,26 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T
     return settle_closer(shape, ray, t_min, t_max, then);
 }
 
+// Out of line, as what is rare.
+
+template <real T, real N>
+[[gnu::noinline]] RAIO_FN constexpr void put_within_range(hit_record<T, N>& rec) {
+    rec.point = within_range(rec.point);
+}
+
+template <real R, real T, real N>
+[[gnu::noinline]] RAIO_FN constexpr void put_against(const ray<R>& ray, hit_record<T, N>& rec) {
+    rec.normal = select(rec.normal.x == rec.normal.x, rec.normal, -normalize(vec3<N>(ray.direction)));
+}
+
+/// What the shape records of a crossing. Where its numbers are so uneven that no normal is left of them, that is
+/// against the ray.
+template <class Shape, real R, class Crossing, real T, real N>
+RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
+    shape.surface(ray, crossing, rec);
+    if (!all(rec.normal.x == rec.normal.x)) put_against(ray, rec);
+}
+
 }  // namespace detail
 
 /// `occluded` of every shape that has `crossings<W>(ray)`, a crossing or a chord: is there one with t in [t_min,
@@ -187,10 +207,10 @@ template <detail::question Asked = detail::question::where, real T, class Shape,
                                                        hit_record<T, N>& rec) {
     return detail::settle<Asked>(shape, ray, t_min, t_max, [&](const auto& crossing) {
         if constexpr (std::same_as<mask_t<T>, bool>) {
-            if (crossing.exists) shape.surface(ray, crossing, rec);
+            if (crossing.exists) detail::record(shape, ray, crossing, rec);
         } else if (any(crossing.exists)) {
             hit_record<T, N> candidate;
-            shape.surface(ray, crossing, candidate);
+            detail::record(shape, ray, crossing, candidate);
             assign(crossing.exists, rec, candidate);
         }
         return crossing.exists;
@@ -231,6 +251,8 @@ template <real T, real N, real R, class W>
 RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec, T bend = T(0)) {
     rec.t = T(c.t) + T(0);  // never -0
     rec.point = vec3<T>(sum_as<W>(ray.origin, product_as<W>(ray.direction, c.t)));
+    const T reach = norm1(rec.point);
+    if (!all(is_finite(reach))) detail::put_within_range(rec);
 
     // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
     // rounding of the point to T. The smallest normal number stands for all that underflows.
@@ -239,13 +261,23 @@ RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit
     const T of_t = min(T(c.error + bound_t<W>(least)), most);
     // A ray that leaves at the angle of the normal's own rounding must not meet a curved surface again, and every
     // crossing of a point that is off by this much has to be certain in double_double.
-    const T floor = bend * T(4 * in_t * in_t) + (bend + norm1(rec.point)) * T(0x1p-88) + least;
+    const T floor = bend * T(4 * in_t * in_t) + (bend + reach) * T(0x1p-88) + least;
     vec3<T> error = vec3<T>(abs(ray.direction) * R(of_t)) + vec3<T>(abs(ray.origin) * R(in_w));
     error += abs(rec.point) * T(in_t + in_w);
     error = error * T(up) + vec3<T>(floor);
     rec.error = {min(most, error.x), min(most, error.y), min(most, error.z)};  // `most` also for what is not a number
     rec.index = index_t<T>{};
     rec.front_face = c.entering;
+}
+
+/// Records a point that lies between corners: seen edge-on or from far away, the computed one may lie beyond them.
+template <class W, real R, real T, real N>
+RAIO_FN constexpr void record_point_between(const aabb<T>& corners, const ray<R>& ray, const crossing<W>& c,
+                                            hit_record<T, N>& rec, T bend = T(0)) {
+    record_point(ray, c, rec, bend);
+    const auto between = [](T low, T high, T x) { return max(low, min(high, x)); };
+    rec.point = {between(corners.min.x, corners.max.x, rec.point.x), between(corners.min.y, corners.max.y, rec.point.y),
+                 between(corners.min.z, corners.max.z, rec.point.z)};
 }
 
 }  // namespace raio

@@ -177,14 +177,36 @@ TEST_CASE_TEMPLATE("bvh: as deep a tree as shapes of ever smaller sizes make, an
     for (const bvh_quality quality : qualities) check_aimed(shapes, quality);
 }
 
+TEST_CASE_TEMPLATE("bvh: a crossing at infinity is none (packs took it for one before the end of the window)", T,
+                   RAIO_NUMBERS) {
+    const T far = std::same_as<T, float> ? T(0x1p91) : T(0x1p900), slow = 1 / far;
+    const std::vector<sphere<T>> shapes{{{far, far, 0}, far}, {{-far, 0, 0}, 1}};
+    const ray<T> along{{far, far, 0}, {slow, 0, 0}};
+    hit_record<T> rec;
+    CHECK(!group{shapes}.hit(along, T(0), infinity<T>, rec));
+    CHECK(!bvh{shapes}.hit(along, T(0), infinity<T>, rec));
+    CHECK(!bvh{shapes}.occluded(along, T(0), infinity<T>));
+}
+
+TEST_CASE("bvh: a sphere whose radius has no square is met as one of its own (the tree met it, the loop did not)") {
+    const std::vector<sphere<double>> shapes{{{0, -0x1p531, 0}, 0x1.4p567}, {{0x1p567, 0, 0x1p567}, 1}};
+    const ray<double> along{{0x1p-349, 0x1p-349, 0}, {0x1p-351, 0, 0}};
+    hit_record<double> expected, found;
+    REQUIRE(group{shapes}.hit(along, 0.0, infinity<double>, expected));
+    REQUIRE(bvh{shapes}.hit(along, 0.0, infinity<double>, found));
+    CHECK((same(found, expected) && found.t == doctest::Approx(0x1.4p918)));
+}
+
 TEST_CASE_TEMPLATE("bvh: a hundred thousand shapes, and ten million in a long run", T, RAIO_NUMBERS) {
     random_numbers random(19);
     std::vector<triangle<T>> shapes;
+    const double size = 63 / std::sqrt(double(test_rays));  // as many hits, however many there are
     for (int i = 0; i < test_rays; ++i) {
         const vec3<T> a = within<T>(random, 8);
-        shapes.push_back({a, a + within<T>(random, 0.2), a + within<T>(random, 0.2)});
+        shapes.push_back({a, a + within<T>(random, size), a + within<T>(random, size)});
     }
-    for (const bvh_quality quality : qualities) check_like(bvh{shapes, {.quality = quality}}, group{shapes}, random, 40);
+    for (const bvh_quality quality : qualities)
+        check_like(bvh{shapes, {.quality = quality}}, group{shapes}, random, 40);
 }
 
 TEST_CASE("bvh: the same tree from any number of threads") {

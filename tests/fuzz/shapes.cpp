@@ -20,12 +20,6 @@ namespace raio::test {
 
 namespace {
 
-void check(bool holds, const std::string& what = "") {
-    if (holds) return;
-    std::fprintf(stderr, "%s\n", what.c_str());
-    std::abort();
-}
-
 enum class number_kind { bits, eighths_and_hard, eighths };
 
 /// What shapes are made of.
@@ -39,10 +33,8 @@ public:
     numbers(std::span<const std::uint8_t> bytes, number_kind kind) : bytes_(bytes), kind_(kind) {}
 
     T number() {
-        if (kind_ != number_kind::bits) return one_of_few(byte());
-        std::array<std::uint8_t, sizeof(T)> bits;
-        for (std::uint8_t& b : bits) b = byte();
-        return std::bit_cast<T>(bits);
+        taken_.push_back(kind_ == number_kind::bits ? some_bits() : one_of_few(byte()));
+        return taken_.back();
     }
     vec2<T> pair() {
         const T x = number();
@@ -64,6 +56,15 @@ public:
     /// One of 0, 1, ..., most.
     unsigned count(unsigned most) { return byte() % (most + 1); }
 
+    /// Ends the program, unless this holds, and says what is wrong and of which numbers.
+    void check(bool holds, const std::string& wrong) const {
+        if (holds) return;
+        std::fprintf(stderr, "%s, from", wrong.c_str());
+        for (const T x : taken_) std::fprintf(stderr, " %s", literal(x).c_str());
+        std::fprintf(stderr, "\n");
+        std::abort();
+    }
+
 private:
     std::uint8_t byte() {
         if (bytes_.empty()) return 0;
@@ -72,6 +73,11 @@ private:
         return first;
     }
 
+    T some_bits() {
+        std::array<std::uint8_t, sizeof(T)> bits;
+        for (std::uint8_t& b : bits) b = byte();
+        return std::bit_cast<T>(bits);
+    }
     T one_of_few(std::uint8_t b) const {
         using limits = std::numeric_limits<T>;
         constexpr T hard[] = {
@@ -83,6 +89,7 @@ private:
 
     std::span<const std::uint8_t> bytes_;
     number_kind kind_;
+    std::vector<T> taken_;
 };
 
 template <class T>
@@ -98,34 +105,15 @@ void ask(numbers<T>& n, const Shape& shape) {
     for (const probe<Shape>& p : {probe<Shape>{shape, ray}, probe<Shape>{shape, ray, t_min, t_max}}) {
         std::string wrong = unsound_answer(p);
         if (n.kind() == number_kind::eighths) wrong += inconsistent_record(p);
-        check(wrong.empty(), wrong);
+        n.check(wrong.empty(), wrong);
     }
     shape.bounds();
     if constexpr (solid<Shape>) {
         T last = -infinity<T>;
         for (const interval<T>& i : spans(shape.spans(ray))) {
-            check(last <= i.min && i.min <= i.max, "spans not in order");
+            n.check(last <= i.min && i.min <= i.max, "spans not in order");
             last = i.max;
         }
-    }
-}
-
-template <class T>
-void ask_tree(numbers<T>& n) {
-    std::vector<sphere<T>> shapes;
-    for (unsigned left = n.count(12); left > 0; --left) {
-        const vec3<T> center = n.point();
-        shapes.push_back({center, n.number()});
-    }
-    const ray<T> ray = some_ray(n);
-    try {
-        const bvh<sphere<T>> tree(shapes, {.threads = 1});
-        hit_record<T> expected, found;
-        const bool hit = group{shapes}.hit(ray, T(0), infinity<T>, expected);
-        check(tree.hit(ray, T(0), infinity<T>, found) == hit && same_record(found, expected),
-              "another hit in the tree");
-        check(tree.occluded(ray, T(0), infinity<T>) == hit, "occluded otherwise in the tree");
-    } catch (const std::invalid_argument&) {
     }
 }
 
@@ -139,6 +127,27 @@ std::array<vec3<T>, 4> corners(numbers<T>& n) {
 template <class Shape, field... Fields>
 void ask_made_of(numbers<number_t<Shape>>& n) {
     ask(n, Shape{n.template next<Fields>()...});  // braces read their numbers in order
+}
+
+/// Asks a tree of them for what the loop says.
+template <class Shape, field... Fields>
+void ask_tree_of(numbers<number_t<Shape>>& n) {
+    using T = number_t<Shape>;
+    std::vector<Shape> shapes;
+    for (unsigned left = n.count(12); left > 0; --left) shapes.push_back(Shape{n.template next<Fields>()...});
+    const ray<T> ray = some_ray(n);
+    const T t_min = n.number(), t_max = n.number();
+    try {
+        const bvh<Shape> tree(shapes, {.threads = 1});
+        for (const interval<T>& window : {interval<T>{T(0), infinity<T>}, interval<T>{t_min, t_max}}) {
+            hit_record<T> expected, found;
+            const bool hit = group{shapes}.hit(ray, window.min, window.max, expected);
+            n.check(tree.hit(ray, window.min, window.max, found) == hit && same_record(found, expected),
+                    "another hit in the tree");
+            n.check(tree.occluded(ray, window.min, window.max) == hit, "occluded otherwise in the tree");
+        }
+    } catch (const std::invalid_argument&) {
+    }
 }
 
 /// What an input may be about, by the name that the fuzzer is told.
@@ -285,7 +294,7 @@ constexpr question<T> questions[] = {
              some.triangles.push_back({n.count(3), n.count(3), n.count(3)});
          ask(n, some);
      }},
-    {"bvh", ask_tree<T>},
+    {"bvh", ask_tree_of<sphere<T>, point, number>},
     {"bezier_curve",
      [](numbers<T>& n) {
          const auto [a, b, c, d] = corners(n);
@@ -298,6 +307,9 @@ constexpr question<T> questions[] = {
          some.profile.push_back(n.pair());
          ask(n, some);
      }},
+    {"bvh_of_triangles", ask_tree_of<triangle<T>, point, point, point>},
+    {"bvh_of_boxes", ask_tree_of<box<T>, point, point>},
+    {"bvh_of_cylinders", ask_tree_of<cylinder<T>, point, point, number>},
 };
 
 }  // namespace

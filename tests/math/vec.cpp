@@ -23,6 +23,8 @@ TEST_CASE_TEMPLATE("vec: lengths and signs", T, float, double, oracle) {
     CHECK((norm1(v) == T(11)));
     CHECK((abs(normalize(v).x * T(7) - T(2)) <= T(16 * unit_roundoff<T>)));
     CHECK((abs(length(normalize(v)) - T(1)) <= T(4 * unit_roundoff<T>)));
+    const T nothing = normalize(v * T(0)).x;
+    CHECK(nothing != nothing);
     CHECK((select(true, v, -v).x == T(2)));
     CHECK((select(false, v, -v).x == T(-2)));
 }

@@ -166,6 +166,7 @@ TEST_CASE_TEMPLATE("polyhedra: what has no inside is missed", T, RAIO_NUMBERS) {
     check_missed(tetrahedron(x * nan, x, x, z));
     check_missed(oriented_box(zero, x, y, z * infinity<T>));
     check_missed(regular_solid<8>(zero, T(-1)));
+    check_missed(regular_solid<12>(zero, T(0)));
     check_missed(regular_solid<20>(zero, nan));
 }
 

@@ -52,6 +52,10 @@ TEST_CASE_TEMPLATE("sphere: named cases", T, RAIO_NUMBERS) {
         {"sphere of radius 0.005", {{0, 0, -1}, T(0.005)}, {{0, 0, 0}, {0, 0, -1}}, enters(1 - double(T(0.005)))},
         {"centre ignored", {{3, 4, 0}, 1}, {{3, 4, 5}, {0, 0, -1}}, enters(4)},
         {"centre ignored, at the origin", {{3, 4, 0}, 1}, ahead, misses},
+        {"on the plane z = 0, from within (its point was below it)",
+         {{1, 1, 2}, 2},
+         {{1, 1, 1}, {0, 0, -15.75}},
+         leaves(4.0 / 63)},
         {"sgn(0) in the stable quadratic", unit, {{0, 0.5, 0}, {1, 0, 0}}, leaves(std::sqrt(0.75))},
     });
 }
@@ -67,6 +71,15 @@ TEST_CASE("sphere: from a point that lies on it exactly, and no root of 53 bits 
          {{0, 0, -0x1.7649bp-9f}, {-0x1.c38c86p-1f, -0x1.e2b0aep-2f, -0x1.64e324p-11f}},
          leaves(0)},
     });
+}
+
+TEST_CASE("sphere: a point beyond the largest number is recorded as the nearest that there is") {
+    constexpr float most = std::numeric_limits<float>::max();
+    const probe<sphere<float>> p{{vec3<float>(most), most}, {vec3<float>(most), vec3<float>(most)}};
+    hit_record<float> rec;
+    REQUIRE(p.hit(rec));
+    CHECK(rec.point == vec3<float>(most));
+    CHECK(unsound_answer(p) == "");
 }
 
 TEST_CASE_TEMPLATE("sphere: properties of every shape", T, RAIO_NUMBERS) { check_properties<sphere<T>>(); }

@@ -136,7 +136,7 @@ public:
         using W = pack<T, lanes>;
         const block& b = blocks_[i];
         const ray<W> in_every_lane{vec3<W>(along.origin), vec3<W>(along.direction)};
-        const W from(t_min), to(t_max);
+        const W from(t_min), to(std::min(t_max, std::numeric_limits<T>::max()));  // what is at infinity is missed
         findings<T, lanes> found =
             judge(crossings_for<W, question::where>(b.shapes.shapes(), in_every_lane, from, to), from, to);
         constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - lanes);

@@ -94,9 +94,7 @@ private:
         using E = bound_t<W>;
         constexpr double u = unit_roundoff<W>, in_t = unit_roundoff<T>;
         const T most(std::numeric_limits<scalar_t<T>>::max());
-        const auto within_range = [&](const T& x) { return max(-most, min(most, x)); };
-        vec3<T> p = map_.point(local.point);
-        p = {within_range(p.x), within_range(p.y), within_range(p.z)};
+        vec3<T> p = within_range(map_.point(local.point));
 
         // The error of the primitive's point seen through L, that of a ray from here that is mapped back, and the
         // roundings of the point.

@@ -15,7 +15,7 @@ RAIO_FN constexpr vec2<W> quadratic_roots(const W& over_a, const W& b, const W& 
     vec2<W> roots((b - s) * over_a, (b + s) * over_a);
     if constexpr (std::same_as<W, double_double>) {
         W sum = b + copysign(s, b);
-        if (abs(b) < s + s) (sum > W(0) ? roots.x : roots.y) = c / sum;
+        if (abs(b) < s + s && is_finite(c)) (sum > W(0) ? roots.x : roots.y) = c / sum;
     }
     return roots;
 }

@@ -87,11 +87,12 @@ RAIO_FN constexpr vec3<T> scaled_into_range(const vec3<T>& a) {
     }
 }
 
-/// The unit vector in the direction of `a`, which was made of numbers From and may have any length but zero.
+/// The unit vector in the direction of `a`, which was made of numbers From and may have any length; not a number, if
+/// that is zero.
 template <class From, real T>
 RAIO_FN constexpr vec3<T> normalize_from(const vec3<T>& a) {
     vec3<T> b = scaled_into_range<From>(a);
-    return b * (T(1) / length(b));
+    return b * quotient(T(1), length(b), T(std::numeric_limits<scalar_t<T>>::quiet_NaN()));
 }
 
 template <real T>

@@ -98,8 +98,6 @@ struct bilinear_patch {
         if (norm1(outward) <= Q(0x1p12 * unit_roundoff<Q>) * (norm1(aw) + norm1(at_u) + norm1(at_v))) {
             const auto larger = [](const vec3<Q>& x, const vec3<Q>& y) { return norm1(x) < norm1(y) ? y : x; };
             outward = larger(aw, larger(at_u, at_v));
-            // Of a patch so slender that Q takes it for a line, the normal is against the ray.
-            if (norm1(outward) == Q(0)) outward = direction;
             outward = outward * (copysign(Q(1), dot(outward, direction)) * Q(at.entering ? -1 : 1));
         }
         vec3<Q> facing = outward * Q(at.entering ? 1 : -1);

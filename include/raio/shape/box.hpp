@@ -129,7 +129,7 @@ struct box {
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         const mask_t<T> x = c.face == index_t<T>(0), y = c.face == index_t<T>(1), z = c.face == index_t<T>(2);
         const T zero(0), one(1);
-        record_point(ray, c, rec);
+        record_point_between({min, max}, ray, c, rec);
         // One coordinate is known without any error: that of the face, which is the low one where the line enters
         // forwards.
         const auto onto = [&](mask_t<T> on, const R& d, T low, T high, T& p, T& error, N& normal) {

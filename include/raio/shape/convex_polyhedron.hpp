@@ -44,8 +44,8 @@ struct convex_polyhedron {
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
-    /// The box around all edges; the cost grows with the cube of the number of planes. A polyhedron without any vertex,
-    /// which has no end, is bounded by everything.
+    /// The box around all edges; the cost grows with the cube of the number of planes. A polyhedron without end is
+    /// bounded by everything.
     RAIO_FN constexpr aabb<T> bounds() const requires(std::same_as<mask_t<T>, bool>) {
         aabb<T> box;
         bool has_vertex = false;
@@ -53,11 +53,9 @@ struct convex_polyhedron {
             for (std::size_t j = 0; j < i; ++j) {
                 const auto [point, direction, s] = edge(i, j);
                 if (s.empty()) continue;
-                for (const auto& end : std::array{s.min, s.max}) {
-                    const bool finite = is_finite(end);
-                    has_vertex = has_vertex || finite;
-                    box = hull(box, finite ? vec3<T>(point + direction * end) : horizon(point, direction, end));
-                }
+                if (!is_finite(s.min) || !is_finite(s.max)) return unbounded<T>();
+                has_vertex = true;
+                box = hull(hull(box, vec3<T>(point + direction * s.min)), vec3<T>(point + direction * s.max));
             }
         }
         return has_vertex ? padded(box) : unbounded<T>();
@@ -175,16 +173,6 @@ private:
             }
         }
         return {point, direction, s};
-    }
-
-    /// The end of a line without end: infinite along the axes in which it proceeds.
-    RAIO_FN static constexpr vec3<T> horizon(const vec3<exact>& point, const vec3<exact>& direction, const exact& end) {
-        vec3<T> far(point);
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            if (direction[axis] != exact(0))
-                far[axis] = T(copysign(infinity<exact>, direction[axis] * copysign(exact(1), end)));
-        }
-        return far;
     }
 
     /// Whichever of its sides is inside.

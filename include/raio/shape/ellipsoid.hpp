@@ -64,7 +64,7 @@ struct ellipsoid {
         using Q = working_t<N>;
         vec3<W> stretch = to_sphere<W>();
         vec3<W> on_sphere = seen_from(center, ray, c.t) * stretch;
-        vec3<N> outward(normalize_from<T>(vec3<Q>(on_sphere * stretch)));
+        vec3<N> outward(normalize(vec3<Q>(on_sphere * stretch)));  // a fifth power, whose square may be out of range
         const T longest = max(radii.x, max(radii.y, radii.z)), shortest = min(radii.x, min(radii.y, radii.z));
         record_point(ray, c, rec, min(longest * (longest / shortest), T(std::numeric_limits<scalar_t<T>>::max() / 4)));
         rec.normal = outward * select(c.entering, N(1), N(-1));

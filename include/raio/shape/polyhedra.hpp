@@ -14,6 +14,12 @@ using polyhedron = convex_polyhedron<T, std::array<half_space<T>, Faces>>;
 
 namespace detail {
 
+/// What has no point behind it.
+template <real T>
+RAIO_FN constexpr half_space<T> nowhere_behind() {
+    return {vec3<T>(T(0)), T(1)};
+}
+
 /// Everything on `inside`'s side of the plane through three corners; nothing, if they lie in a line or `inside` lies in
 /// their plane.
 template <real T, class X = exact_t<T>>
@@ -21,7 +27,7 @@ RAIO_FN constexpr half_space<T> half_space_through(const vec3<X>& a, const vec3<
                                                    const vec3<X>& inside) {
     const vec3<X> across = scaled_into_range<X>(cross(b - a, c - a));
     const X depth = dot(across, inside - a), size = length(across);
-    if (depth == X(0) || !(size > X(0))) return {vec3<T>(T(0)), T(1)};
+    if (depth == X(0) || !(size > X(0))) return nowhere_behind<T>();
     const vec3<T> normal(across * (copysign(X(1), -depth) / size));
     const vec3<X> n(normal);
     return {normal, -T(max(max(dot(n, a), dot(n, b)), dot(n, c)))};
@@ -97,6 +103,7 @@ requires(N >= 3) RAIO_FN
 }
 
 /// The five Platonic solids by their number of faces, with the corners on the sphere of that radius: 4, 6, 8, 12 or 20.
+/// Nothing, unless the radius is positive.
 /// The cube is axis-aligned, and the others stand in it as Euclid has them (Elements XIII): corners of the tetrahedron
 /// are corners of the cube, corners of the octahedron lie on the axes.
 template <std::size_t Faces, real T>
@@ -133,6 +140,7 @@ requires(Faces == 4 || Faces == 6 || Faces == 8 || Faces == 12 || Faces == 20) R
         const vec3<T> normal(normals[i]);
         const vec3<X> n(normal);
         solid.planes[i] = {normal, T(-(dot(n, vec3<X>(center)) + length(n) * inscribed * X(radius)))};
+        if (!(radius > T(0))) solid.planes[i] = detail::nowhere_behind<T>();
     }
     return solid;
 }

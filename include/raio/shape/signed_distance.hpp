@@ -87,7 +87,7 @@ private:
     bool is_inside_at(const ray<T>& ray, T t) const { return distance(ray.origin + ray.direction * t) < -tolerance; }
 
     void record(const ray<T>& ray, T t, bool entering, hit_record<T>& rec) const {
-        record_point(ray, crossing<T>{true, true, t, T(0), entering}, rec);
+        record_point_between({box.min, box.max}, ray, crossing<T>{true, true, t, T(0), entering}, rec);
         const T step = T(std::cbrt(static_cast<double>(unit_roundoff<T>))) * norm1(vec3<T>(box.max - box.min));
         const auto rise = [&](const vec3<T>& along) {
             return (distance(rec.point + along * step) - distance(rec.point - along * step)) / (T(2) * step);
