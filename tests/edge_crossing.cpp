@@ -42,4 +42,12 @@ TEST_CASE("edge_crossing: the bounds of t, u, v and of what is missing, from abo
     CHECK((of_t.largest > 0.03 && of_missing.largest > 0.02 && of_missing_ahead.largest > 0.004));
 }
 
+TEST_CASE("edge_crossing: what is out of range on the way is not taken for a miss (bundles were certain of one)") {
+    const vec3<float> corner(0x1p59f, 0, 0), e1(0x1p91f, 0x1p91f, 0), e2(-0x1p59f, 0, 0);
+    const auto inside = [](float size, float u, float v) { return size - u - v; };
+    const auto met = cross_edges(corner, e1, e2, ray<float>{{0, 0, 0}, {0, 0, -0x1p-29f}}, inside);
+    REQUIRE(met.v == infinity<float>);
+    CHECK(!met.at.certain);
+}
+
 }  // namespace raio::test

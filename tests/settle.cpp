@@ -249,17 +249,20 @@ TEST_CASE("record_point: the error holds along each axis, and is no larger than 
     check_recorded_error<X, double>();
 }
 
-TEST_CASE_TEMPLATE("record: where numbers leave no normal, it is against the ray", T, float, double) {
-    struct without_normal {
+TEST_CASE_TEMPLATE("record: where numbers leave no normal, it is against the ray, and uv is 0", T, float, double) {
+    struct recorded {
         vec3<T> normal;
-        void surface(const ray<T>&, const crossing<W>&, hit_record<T>& rec) const { rec.normal = normal; }
+        vec2<T> uv;
+        void surface(const ray<T>&, const crossing<W>&, hit_record<T>& rec) const { rec.normal = normal, rec.uv = uv; }
     };
+    constexpr T nan = std::numeric_limits<T>::quiet_NaN();
     const ray<T> along{{0, 0, 0}, {0, 3, -4}};
     hit_record<T> rec;
-    detail::record(without_normal{normalize(vec3<T>(0))}, along, at<W>(1), rec);
+    detail::record(recorded{vec3<T>(nan), {T(0.5), nan}}, along, at<W>(1), rec);
     CHECK(length(vec3<T>(rec.normal - vec3<T>(0, T(-0.6), T(0.8)))) < std::numeric_limits<T>::epsilon());
-    detail::record(without_normal{{0, 1, 0}}, along, at<W>(1), rec);
-    CHECK(rec.normal == vec3<T>(0, 1, 0));
+    CHECK(rec.uv == vec2<T>(0.5, 0));
+    detail::record(recorded{{0, 1, 0}, {0, 1}}, along, at<W>(1), rec);
+    CHECK((rec.normal == vec3<T>(0, 1, 0) && rec.uv == vec2<T>(0, 1)));
 }
 
 TEST_CASE_TEMPLATE("record_point: beyond the largest number it is the nearest that there is", T, float, double) {

@@ -35,11 +35,11 @@ RAIO_FN constexpr edge_terms<W> terms_of_edges(const vec3<W>& e1, const vec3<W>&
     if constexpr (std::same_as<W, double_double>) {
         return {triple_product_bound(e1, direction, e2), triple_product_bound(s, direction, e2),
                 triple_product_bound(s, direction, e1)};
-    } else {  // the same, with what the three have in common once
-        E e1_size = norm1(vec3<E>(e1)), e2_size = norm1(vec3<E>(e2)), speed = norm1(vec3<E>(direction));
-        E apart = with_underflow<W>(speed * norm1(vec3<E>(s)));
-        return {with_underflow<W>(with_underflow<W>(speed * e1_size) * e2_size), with_underflow<W>(apart * e2_size),
-                with_underflow<W>(apart * e1_size)};
+    } else {  // the same, of the sizes of the vectors: where p or q is out of range these are as well
+        E e1_size = norm1(vec3<E>(e1)), speed = norm1(vec3<E>(direction)), s_size = norm1(vec3<E>(s));
+        E p_size = with_underflow<W>(speed * norm1(vec3<E>(e2))), q_size = with_underflow<W>(s_size * e1_size);
+        return {with_underflow<W>(p_size * e1_size), with_underflow<W>(p_size * s_size),
+                with_underflow<W>(q_size * speed)};
     }
 }
 

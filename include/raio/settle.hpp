@@ -179,11 +179,14 @@ template <real T, real N>
 
 template <real R, real T, real N>
 [[gnu::noinline]] RAIO_FN constexpr void put_against(const ray<R>& ray, hit_record<T, N>& rec) {
-    rec.normal = select(rec.normal.x == rec.normal.x, rec.normal, -normalize(vec3<N>(ray.direction)));
+    const mask_t<N> has_normal = rec.normal.x == rec.normal.x;
+    rec.normal = select(has_normal, rec.normal, -normalize(vec3<N>(ray.direction)));
+    const auto number_or_0 = [](const T& x) { return select(x == x, x, T(0)); };
+    rec.uv = {number_or_0(rec.uv.x), number_or_0(rec.uv.y)};
 }
 
 /// What the shape records of a crossing. Where its numbers are so uneven that no normal is left of them, that is
-/// against the ray.
+/// against the ray; and what is left of uv is 0.
 template <class Shape, real R, class Crossing, real T, real N>
 RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
     shape.surface(ray, crossing, rec);

@@ -56,4 +56,30 @@ TEST_CASE("unite_children: the hull, and the kind if it is one") {
     CHECK(nodes[0].kind() == binary_node::mixed);
 }
 
+TEST_CASE("grow_branches: each branch behind the one before, its root in its place on top") {
+    const auto leaf = [](std::uint32_t id) { return binary_node::leaf(box_with_id(id), id, 1, 0); };
+    const std::vector<binary_node> top{binary_node::parent(1, 5), {}, {}};
+    const std::vector<std::vector<binary_node>> branches{
+        {binary_node::parent(1, 2), leaf(0), leaf(1)},
+        {binary_node::parent(1, 3), leaf(2), binary_node::parent(3, 2), leaf(3), leaf(4)}};
+    for (const unsigned threads : {1u, 2u}) {
+        binary_tree tree;
+        detail::grow_branches(tree, top, std::vector<std::uint32_t>{2, 1}, threads,
+                              [&](std::size_t i) { return branches[i]; });
+        REQUIRE(tree.nodes.size() == 9);
+        const auto part = [&](std::size_t i) { return std::array{tree.parts[i].begin, tree.parts[i].end}; };
+        REQUIRE(tree.parts.size() == 3);
+        CHECK((part(0) == std::array<std::size_t, 2>{0, 3} && part(1) == std::array<std::size_t, 2>{3, 5} &&
+               part(2) == std::array<std::size_t, 2>{5, 9}));
+        const std::uint32_t first[] = {1, 5, 3, 0, 1, 2, 7, 3, 4};  // child or reference
+        for (std::size_t i = 0; i < 9; ++i) {
+            CHECK(tree.nodes[i].first() == first[i]);
+            CHECK(tree.nodes[i].is_leaf() == (i > 2 && i != 6));
+        }
+        CHECK(same_corners(tree.nodes[0].box, hull(box_with_id(0), box_with_id(4))));
+        CHECK(same_corners(tree.nodes[1].box, hull(box_with_id(2), box_with_id(4))));
+        CHECK(same_corners(tree.nodes[2].box, hull(box_with_id(0), box_with_id(1))));
+    }
+}
+
 }  // namespace raio::test

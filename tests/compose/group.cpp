@@ -15,6 +15,15 @@
 
 namespace raio::test {
 
+namespace {
+
+template <class T>
+struct without_bounds : sphere<T> {
+    void bounds() const = delete;
+};
+
+}  // namespace
+
 TEST_CASE_TEMPLATE("group: the nearest is hit, and counted through all members", T, RAIO_NUMBERS) {
     const plane<T> floor{{0, 0, -9}, {0, 0, 1}};
     const std::vector<sphere<T>> spheres{{{0, 0, 0}, 1}, {{5, 0, 0}, 1}, {{0, 0, 3}, 1}};
@@ -102,6 +111,8 @@ TEST_CASE_TEMPLATE("group: inside is inside any of its members", T, RAIO_NUMBERS
     CHECK((three.intervals[0] == interval<T>{8, 10.5} && three.intervals[1] == interval<T>{14, 16}));
     static_assert(room_in<decltype(three)> == 3);
     static_assert(solid<decltype(scene)> && !solid<group<sphere<T>, triangle<T>>>);
+    static_assert(!solid<group<triangle<T>, sphere<T>>> && !solid<group<sphere<T>, triangle<T>, sphere<T>>>);
+    static_assert(bounded<decltype(scene)> && !bounded<group<sphere<T>, without_bounds<T>, sphere<T>>>);
 }
 
 TEST_CASE_TEMPLATE("group: as the loop over its members", T, RAIO_NUMBERS) {

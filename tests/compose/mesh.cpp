@@ -35,6 +35,25 @@ TEST_CASE_TEMPLATE("mesh: the nearest triangle is hit, of equally near ones the 
     CHECK((m.bounds().contains({1, 1, 0}) && !m.bounds().contains({1, 1, T(0.01)})));
 }
 
+TEST_CASE_TEMPLATE("mesh: triangles in lanes", T, RAIO_NUMBERS) {
+    const mesh<T> m{{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}}, {{0, 1, 2}, {3, 2, 0}, {1, 3, 0}}};
+    constexpr std::size_t lanes = pack<T>::lanes;
+    typename mesh_triangle<T>::template lanes<lanes> room;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        room.set(lane, {&m, static_cast<std::uint32_t>((lane + 1) % 3)});
+    }
+    const auto all = room.shapes();
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const std::size_t index = (lane + 1) % 3;
+        CHECK(room.get(lane).index == index);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const vec3<pack<T>>& corner = k == 0 ? all.a : k == 1 ? all.b : all.c;
+            const vec3<T> expected = m.vertices[m.triangles[index][k]];
+            CHECK(vec3<T>(corner.x[lane], corner.y[lane], corner.z[lane]) == expected);
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("mesh: what the vertices have is interpolated", T, RAIO_NUMBERS) {
     mesh<T> m = square<T>();
     hit_record<T> above, below;

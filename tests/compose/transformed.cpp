@@ -4,6 +4,7 @@
 
 #include <raio/compose/group.hpp>
 
+#include "support/bounds.hpp"
 #include "support/cases.hpp"
 #include "support/spheres.hpp"
 #include "support/triangles.hpp"
@@ -269,6 +270,30 @@ TEST_CASE_TEMPLATE("transformed: the mapped ray is right to 2^-50, or 2^-102 for
                            within(turn.y, inverse.y, along) && within(turn.z, inverse.z, along);
         return right ? "" : "off";
     });
+}
+
+TEST_CASE("transformed: the bound of how far the point is off the image, from above as well") {
+    random_numbers random(12);
+    part_of_bound of_point;
+    for (int i = 0; i < at_least(20'000); ++i) {
+        const auto column = [&] { return vec3<float>(random.direction() * random.log_uniform(0.1, 10)); };
+        const transform<float> map{column(), column(), column(), vec3<float>(some_vector(random))};
+        const sphere<float> ball{vec3<float>(random.direction()), 1};
+        const vec3<float> aim = map.point(ball.center + vec3<float>(random.direction()) * 0.9f);
+        const vec3<float> way(random.direction());
+        hit_record<float> rec;
+        if (!transformed(ball, map).hit({aim - way * 40.0f, way}, 0.0f, infinity<float>, rec)) continue;
+        // How high the point is above the image of the sphere, whose gradient goes by the inverse transpose, and which
+        // is curved.
+        const transform<oracle> exact = converted<oracle>(map);
+        const linear_inverse<oracle> inverse(exact);
+        const vec3<oracle> p = inverse(vec3<oracle>(rec.point) - exact.origin) - vec3<oracle>(ball.center);
+        const vec3<oracle> error(rec.error);
+        const oracle moved = dot(abs(inverse.x) + abs(inverse.y) + abs(inverse.z), error);
+        const oracle height = (length(p) - 1) * length(p), bound = dot(abs(inverse.transposed(p)), error);
+        of_point.add(height, rounded<double>(bound + moved * moved));
+    }
+    CHECK(of_point.largest > 0.5);
 }
 
 /// t against the exact crossing of the exactly mapped ray: within 4 ulp, but for what the rounded ray explains where it

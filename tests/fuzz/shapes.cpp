@@ -104,7 +104,7 @@ void ask(numbers<T>& n, const Shape& shape) {
     const T t_min = n.number(), t_max = n.number();
     for (const probe<Shape>& p : {probe<Shape>{shape, ray}, probe<Shape>{shape, ray, t_min, t_max}}) {
         std::string wrong = unsound_answer(p);
-        if (n.kind() == number_kind::eighths) wrong += inconsistent_record(p);
+        if (n.kind() == number_kind::eighths) wrong += inconsistent_record(p, 0.125);
         n.check(wrong.empty(), wrong);
     }
     shape.bounds();

@@ -67,6 +67,7 @@ TEST_CASE_TEMPLATE("spans: inserted anywhere, what meets becomes one", Spans, sp
     insert(3.5, 5.5, {{1, 2.5}, {3, 6}, {8, 9}});
     insert(0, 7, {{0, 7}, {8, 9}});
     insert(-2, -1, {{-2, -1}, {0, 7}, {8, 9}});
+    insert(-0.5, 0, {{-2, -1}, {-0.5, 7}, {8, 9}});
     insert(-3, 10, {{-3, 10}});
 }
 

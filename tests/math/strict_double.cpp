@@ -38,6 +38,13 @@ TEST_CASE("strict_double: behaves like a double") {
     CHECK(static_cast<double>(two + three) == 5);
     CHECK(static_cast<double>(two - three) == -1);
     CHECK(static_cast<double>(two / strict_double(8)) == 0.25);
+    for (const double a : {1.0, 2.0, -0.0, std::nan("")}) {
+        for (const double b : {1.0, 2.0, 0.0, std::nan("")}) {
+            const strict_double x(a), y(b);
+            CHECK(((x < y) == (a < b) && (x <= y) == (a <= b) && (x == y) == (a == b)));
+            CHECK(((x > y) == (a > b) && (x >= y) == (a >= b)));
+        }
+    }
     CHECK(static_cast<float>(-three) == -3);
     CHECK((two < three && two <= two && three > two && two == two && two != three));
     CHECK(static_cast<double>(sqrt(strict_double(9))) == 3);

@@ -13,8 +13,10 @@ A mistake that no test can catch, since it changes no answer, is listed with its
 """
 
 import argparse
+import concurrent.futures
 import os
 import pathlib
+import queue
 import random
 import re
 import shutil
@@ -35,6 +37,11 @@ SHAPES = {
     "quadric_crossing.hpp": ["shape/cone", "shape/hyperboloid", "shape/two_sheet_hyperboloid"],
     "axial_crossing.hpp": ["shape/cylinder", "shape/frustum", "shape/capsule"],
     "crossing_list.hpp": ["shape/torus"],
+    "algebraic_crossing.hpp": ["shape/algebraic", "shape/steiner"],
+    "revolved_crossing.hpp": ["shape/curved_surface_of_revolution"],
+    "math/polynomial_roots.hpp": ["shape/torus"],
+    "bvh/presplit.hpp": ["bvh/bvh"],
+    "bvh/assemble.hpp": ["bvh/bvh"],
     "refine.hpp": ["shape/sphere", "shape/triangle", "shape/cone"],
     "hit_record.hpp": ["shape/sphere"],
     "aabb.hpp": ["shape/disc"],
@@ -45,27 +52,28 @@ def all_tests():
     """The tests that answer for each header."""
     headers = ROOT / "include/raio"
     names = sorted(path.relative_to(headers).with_suffix("").as_posix() for path in headers.rglob("*.hpp"))
-    tested = [name for name in names if (ROOT / "tests" / f"{name}.cpp").exists()]
-    return {f"{name}.hpp": [name, *SHAPES.get(f"{name}.hpp", [])] for name in tested}
+    own = {f"{name}.hpp": [name] if (ROOT / "tests" / f"{name}.cpp").exists() else [] for name in names}
+    tests = {header: tests + SHAPES.get(header, []) for header, tests in own.items()}
+    return {header: tests for header, tests in tests.items() if tests}
 
 
 TESTS = all_tests()
 
 # What is written, and what it becomes. A space on both sides tells an operator from a template's brackets and from a sign.
-MISTAKES = [
-    (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > "),
-    (r" < ", " > "), (r" <= ", " >= "), (r" > ", " < "), (r" >= ", " <= "),
-    (r" == ", " != "), (r" \+ ", " - "), (r" - ", " + "), (r" && ", " || "), (r" \|\| ", " && "),
-    (r"\bevery\(", "some("), (r"\bsome\(", "every("), (r"\bmin\(", "max("), (r"\bmax\(", "min("),
-    (r"\babs\(", "("), (r"\bcopysign\(", "min("),
-    (r"(?<=\()0\.5(?=\))", "0.5000001"), (r"(?<=\()2(?=\))", "1.9999"), (r"(?<=\()4(?=\))", "4.0001"),
-    (r"(?<=\()8(?= \* u)", "0.125"), (r"(?<=\()4(?= \* u)", "0.0625"), (r"(?<=\()3(?= \* u)", "0.0625"),
-]
+MISTAKES = {
+    "ends of comparisons": [(r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > ")],
+    "comparisons turned around": [(r" < ", " > "), (r" <= ", " >= "), (r" > ", " < "), (r" >= ", " <= "), (r" == ", " != ")],
+    "signs": [(r" \+ ", " - "), (r" - ", " + "), (r"\babs\(", "("), (r"\bcopysign\(", "min(")],
+    "and, or, least and most": [(r" && ", " || "), (r" \|\| ", " && "), (r"\bevery\(", "some("), (r"\bsome\(", "every("),
+                                (r"\bmin\(", "max("), (r"\bmax\(", "min(")],
+    "constants": [(r"(?<=\()0\.5(?=\))", "0.5000001"), (r"(?<=\()2(?=\))", "1.9999"), (r"(?<=\()4(?=\))", "4.0001"),
+                  (r"(?<=\()8(?= \* u)", "0.125"), (r"(?<=\()4(?= \* u)", "0.0625"), (r"(?<=\()3(?= \* u)", "0.0625")],
+}
 
 
 class Mutation:
-    def __init__(self, header, position, length, replacement, text):
-        self.header, self.position, self.length, self.replacement = header, position, length, replacement
+    def __init__(self, kind, header, position, length, replacement, text):
+        self.kind, self.header, self.position, self.length, self.replacement = kind, header, position, length, replacement
         begin, end = text.rfind("\n", 0, position) + 1, text.find("\n", position)
         self.line = text.count("\n", 0, position) + 1
         self.was = text[begin:end].strip()
@@ -77,11 +85,11 @@ class Mutation:
 
 def mutations(header):
     text = (ROOT / "include/raio" / header).read_text()
-    for pattern, replacement in MISTAKES:
+    for kind, pattern, replacement in ((kind, *mistake) for kind, mistakes in MISTAKES.items() for mistake in mistakes):
         for found in re.finditer(pattern, text):
             line = text[text.rfind("\n", 0, found.start()) + 1:found.end()].strip()
             if not re.match(r"//|\*|#|template|requires|static_assert", line) and "//" not in line:
-                yield Mutation(header, found.start(), found.end() - found.start(), replacement, text)
+                yield Mutation(kind, header, found.start(), found.end() - found.start(), replacement, text)
 
 
 def outcome(mutation, folder, arguments):
@@ -94,7 +102,7 @@ def outcome(mutation, folder, arguments):
             program = folder / "program"
             compiled = subprocess.run(
                 [arguments.compiler, "-std=c++20", "-O1", "-w", "-DGLM_FORCE_XYZW_ONLY", f"-I{folder}/include", f"-I{ROOT}/tests",
-                 f"{ROOT}/tests/{test}.cpp", *map(str, folder.glob("*.o")), "-o", str(program)],
+                 f"{ROOT}/tests/{test}.cpp", *map(str, folder.parent.glob("*.o")), "-o", str(program)],
                 capture_output=True)
             if b"static assertion" in compiled.stderr or b"static_assert" in compiled.stderr:
                 return "caught"  # before the program runs
@@ -119,6 +127,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--rays", type=int, default=5000, help="of each comparison in the tests")
     parser.add_argument("--timeout", type=float, default=120, help="seconds of one test; what takes longer is caught")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mistakes that are tried at the same time")
     parser.add_argument("--compiler", default="g++")
     parser.add_argument("--list", action="store_true", help="only say what would be tried")
     arguments = parser.parse_args()
@@ -134,25 +143,37 @@ def main():
     accepted = {line.split(" | ")[1] for line in ACCEPTED.read_text().splitlines()[1:] if " | " in line}
     for line in accepted - {m.becomes for header in TESTS for m in mutations(header)}:
         print(f"accepted, but made no more: {line}")
-    counts = {"caught": 0, "survived": 0, "accepted": 0, "does not compile": 0}
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        shutil.copytree(ROOT / "include", folder / "include")
+    counts = {kind: {"caught": 0, "survived": 0, "accepted": 0, "does not compile": 0} for kind in MISTAKES}
+    with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as jobs:
+        folders = queue.SimpleQueue()
+        for job in range(arguments.jobs):
+            shutil.copytree(ROOT / "include", pathlib.Path(name, str(job), "include"))
+            folders.put(pathlib.Path(name, str(job)))
         for shared in ["main", "support/oracle"]:
             subprocess.run([arguments.compiler, "-std=c++20", "-O2", f"-I{ROOT}/include", f"-I{ROOT}/tests", "-c",
-                            f"{ROOT}/tests/{shared}.cpp", "-o", str(folder / shared.replace("/", "_")) + ".o"], check=True)
-        for m in tried:
-            result = outcome(m, folder, arguments)
+                            f"{ROOT}/tests/{shared}.cpp", "-o", str(pathlib.Path(name, shared.replace("/", "_"))) + ".o"], check=True)
+
+        def judged(mutation):
+            folder = folders.get()
+            try:
+                return outcome(mutation, folder, arguments)
+            finally:
+                folders.put(folder)
+
+        for m, result in zip(tried, jobs.map(judged, tried)):
             if result == "survived" and m.becomes in accepted:
                 result = "accepted"
-            counts[result] += 1
+            counts[m.kind][result] += 1
             print(f"{result}: {m.header}:{m.line}", flush=True)
             if result != "caught":
                 print(f"    {m.was}\n    {m.becomes}", flush=True)
-    compiled = sum(counts.values()) - counts["does not compile"]
-    print(", ".join(f"{count} {result}" for result, count in counts.items()) +
-          f"; {100 * (counts['caught'] + counts['accepted']) / max(compiled, 1):.1f} % of what compiles is caught or accepted")
-    return 1 if counts["survived"] else 0
+    everything = {result: sum(of_kind[result] for of_kind in counts.values()) for result in counts["signs"]}
+    for kind, results in [*counts.items(), ("all", everything)]:
+        compiled = sum(results.values()) - results["does not compile"]
+        noticed = 100 * (results["caught"] + results["accepted"]) / max(compiled, 1)
+        print(f"{kind}: " + ", ".join(f"{count} {result}" for result, count in results.items()) +
+              f"; {noticed:.1f} % of what compiles is caught or accepted")
+    return 1 if everything["survived"] else 0
 
 
 if __name__ == "__main__":

@@ -202,11 +202,13 @@ TEST_CASE_TEMPLATE("algebraic: uv is the place in the box", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("algebraic: all crossings", T, RAIO_NUMBERS) {
     const algebraic<T, 4> slabs{{-3, -3, -3}, {3, 3, 3}, {{-1, 4, 0, 0}, {5, 2, 0, 0}, {-4, 0, 0, 0}}};
-    const auto inside = slabs.spans({{-5, 0, 0}, {1, 0, 0}});
-    REQUIRE(inside.count == 3);
-    CHECK(inside.intervals[0] == interval<T>{2, 3});
-    CHECK(inside.intervals[1] == interval<T>{4, 6});
-    CHECK(inside.intervals[2] == interval<T>{7, 8});
+    for (const T x : {T(-5), T(5), T(-50)}) {  // ahead, behind and far ahead
+        const auto inside = slabs.spans({{x, 0, 0}, {1, 0, 0}});
+        REQUIRE(inside.count == 3);
+        CHECK(inside.intervals[0] == interval<T>{-3 - x, -2 - x});
+        CHECK(inside.intervals[1] == interval<T>{-1 - x, 1 - x});
+        CHECK(inside.intervals[2] == interval<T>{2 - x, 3 - x});
+    }
 }
 
 TEST_CASE("algebraic: the derivatives of t, by a number that carries them along") {

@@ -64,6 +64,15 @@ TEST_CASE("cylinder: outwards from all but its rim (hit what it had left)") {
           misses}});
 }
 
+TEST_CASE("cylinder: of 1e-96, whose fourth powers are no numbers (hit from anywhere)") {
+    check_cases<cylinder<double>>(
+        {{"askew, past it",
+          {{0, 0, 0}, {0, 0x1p-317, 0x1p-317}, 0x1p-319},
+          {{0x1p-317, 0x1p-317, 0}, {0x1p-315, 0x1p-317, 0x1p-317}},
+          misses},
+         {"all but along it", {{0, 0, 0}, {0, 0, 2}, 1}, {{0, 0, -1}, {0x1p-600, 0, 1}}, enters(1)}});
+}
+
 TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, RAIO_NUMBERS) { check_properties<cylinder<T>>(); }
 
 TEST_CASE_TEMPLATE("cylinder: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -344,6 +344,11 @@ TEST_CASE_TEMPLATE("surface of revolution: uv and area, and samples spread evenl
     REQUIRE(cup.hit({f.x * T(1.625) + vec3<T>(0, 9, 0), {0, -1, 0}}, T(0), infinity<T>, rec));
     CHECK(rec.uv.y == doctest::Approx((6 + 0.75) / 9));
 
+    // Along the axis into a tip, where u is anything (and was a little less than 0).
+    const surface_of_revolution<T> funnel{{1, 0, 0}, {4.5, 0, 0}, {{3.875, 0.5}, {0, 3.875}}};
+    REQUIRE(funnel.hit({{0, 0, 0}, {1, 0, 0}}, T(0), infinity<T>, rec));
+    CHECK((rec.uv.x >= 0 && rec.uv.x <= 1));
+
     const surface_of_revolution<T> can{{1, 2, 3}, {0, 0, 2}, {{0, 0}, {3, 0}, {3, 2}, {0, 2}}};
     CHECK(can.area() == doctest::Approx(cylinder<T>{{1, 2, 3}, {1, 2, 7}, 3}.area()));
     CHECK(!(surface_of_revolution<T>{{1, 2, 3}, {0, 0, 2}, {{3, 0}}}.bounds().contains({1, 2, 3})));  // no segment

@@ -113,6 +113,10 @@ TEST_CASE_TEMPLATE("torus: named cases", T, RAIO_NUMBERS) {
          horn,
          {{0, -5, 0}, {0, 1, 0}},
          enters(5)},
+        {"horn, askew to where it meets itself (seen with a normal along the ray)",
+         {vec3<T>(11.5), {11.5, -0.125, 9.125}, 9.125, 9.125},
+         {vec3<T>(9.125), vec3<T>(9.125)},
+         leaves(2.375 / 9.125)},
         {"horn, through the centre", horn, {{5, 0, 0}, {-1, 0, 0}}, enters(1)},
         {"horn, from the centre", horn, {{0, 0, 0}, {1, 0, 0}}, leaves(0)},
         {"spindle, from outside", spindle, {{10, 0, 0}, {-1, 0, 0}}, enters(1)},
@@ -158,6 +162,9 @@ TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, RAIO_NUM
         });
     };
     check({{0, 0, 0}, {0, 0, 1}, 2, 1});
+    // They turn and rise as uv does.
+    const vec3<T> sampled = torus<T>{{0, 0, 0}, {0, 0, 1}, 2, 1}.sample({T(0.25), T(0.75)}).point;
+    CHECK((std::abs(sampled.x) < 1e-5 && sampled.y > 2 && sampled.z > T(0.5)));
     // All of the inside is sampled.
     for (const T end : {T(0), T(1)})
         CHECK(std::abs(torus<T>{{0, 0, 0}, {0, 0, 1}, 2, 1}.sample({0, end}).point.z) < 1e-5);

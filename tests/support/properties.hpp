@@ -53,14 +53,15 @@ std::string unsound_answer(const probe<Shape>& p) {
 }
 
 /// The record agrees with the ray and the bounds.
+/// \param bend  the smallest radius of the surface: a point that is off turns the normal by that part of it
 template <class Shape>
-std::string inconsistent_record(const probe<Shape>& p) {
+std::string inconsistent_record(const probe<Shape>& p, double bend = infinity<double>) {
     using T = number_t<Shape>;
     hit_record<T> rec;
     if (!p.hit(rec)) return "";
     // The normal is rounded: of a ray that grazes a plane by less than that it cannot tell the side.
     const vec3<double> direction = to_double(p.ray.direction);
-    const double slack = 4 * unit_roundoff<T> * length(direction);
+    const double slack = (4 * unit_roundoff<T> + length(to_double(rec.error)) / bend) * length(direction);
     if (dot(to_double(rec.normal), direction) > slack) return "normal along the ray, " + literal(rec);
     if (!p.shape.bounds().contains(rec.point)) return "beyond the bounds, " + literal(rec);
     return "";

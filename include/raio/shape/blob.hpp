@@ -192,7 +192,7 @@ private:
             for (const polynomial_root<W>& root : roots) {
                 if (root.before != 0) reach(root.before);
                 if (is_open) {
-                    open.error += bound_t<W>(root.t - open.t) + root.error;
+                    open.error = max(open.error, bound_t<W>(root.t - open.t) + root.error);
                 } else {
                     open = root;
                 }

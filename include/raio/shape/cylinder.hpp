@@ -46,7 +46,10 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     E s2_error = with_underflow<W>(E(r2) * a_error + passed2_error + E(8 * u) * (E(ar2) + E(passed2)));
     // A radius that the last precision cannot tell from none leaves no normal: such a cylinder is missed.
     E resolved = tie<W>(E(0x1p30 * u * u) * l_size * l_size);
-    const mask_t<W> sound = every(radius > T(0), E(r2) >= E(least) + resolved, axis2 >= W(least), d2 >= W(least));
+    // So is one whose numbers are so small that their fourth powers are lost, unless the line is all but parallel.
+    const mask_t<W> in_range = some(ar2 >= W(least), n_size <= E(4 * u) * n_error);
+    const mask_t<W> sound =
+        every(radius > T(0), E(r2) >= E(least) + resolved, axis2 >= W(least), d2 >= W(least), in_range);
     const mask_t<W> parallel = a == zero, apart = every(sound, s2 < -s2_error);
     const mask_t<W> meets = every(sound, some(parallel, s2 >= -tie<W>(s2_error)));
     if (none(meets)) return nowhere<W>(apart);

@@ -148,9 +148,10 @@ struct torus {
         const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
         vec3<Q> p = f.to_local(vec3<Q>(from_center));
         Q rho = sqrt(p.x * p.x + p.y * p.y), inside = Q(1) - quotient(Q(major_radius), rho, Q(0));
-        // Where the tube meets itself on the axis, it is seen along the axis, against the ray.
+        // Where the tube meets itself on the axis, or as close to it as can be told, it is seen along the axis, against
+        // the ray.
         vec3<Q> from_circle(p.x * inside, p.y * inside, p.z);
-        const bool nowhere = !(norm1(from_circle) > Q(0));
+        const bool nowhere = rho <= Q(c.error) * norm1(vec3<Q>(ray.direction));
         const Q along = copysign(Q(1), dot(f.z, vec3<Q>(vec3<W>(ray.direction)))), up = c.entering ? -along : along;
         vec3<N> outward(f.to_world(nowhere ? vec3<Q>(Q(0), Q(0), up) : normalize_from<T>(from_circle)));
         record_point(ray, c, rec, major_radius + minor_radius);
