@@ -28,6 +28,9 @@ TEST_CASE("kinds: each has the ids from one number on, be it none") {
     CHECK(common({6, 5}) == 3);
     CHECK(common({6, 5, 4}) == binary_node::mixed);
     CHECK(common({2, 3}) == binary_node::mixed);
+    const std::uint32_t first_of_two[] = {0, 3};
+    const std::vector<build_box> last{box_with_id(4)};
+    CHECK(detail::kinds{first_of_two}.common(last) == 1);
 }
 
 TEST_CASE("binary_node: what it says, and of many references that they are many") {

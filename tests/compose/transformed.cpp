@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <raio/compose/group.hpp>
+#include <raio/shape/box.hpp>
 
 #include "support/bounds.hpp"
 #include "support/cases.hpp"
@@ -238,6 +239,30 @@ TEST_CASE_TEMPLATE("transformed: bounds of what has no end, or nothing in it", T
     CHECK((endless.contains({T(1e30), T(-1e30), 0}) && endless.min.z == -infinity<T>));
     const aabb<T> nothing = transformed{group{std::vector<sphere<T>>{}}, turn}.bounds();
     CHECK(!nothing.contains({0, 0, 0}));
+}
+
+TEST_CASE("transformed: bounds where the map takes away all but the last digits") {
+    struct just_so : box<float> {
+        aabb<float> bounds() const { return {min, max}; }  // of which no padding makes up for the map's roundings
+    };
+    random_numbers random(13);
+    for (int i = 0; i < at_least(10'000); ++i) {
+        // What the first two columns and the origin leave is taken away by the third, which is seen through 2^-24.
+        transform<float> map{vec3<float>(random.direction()), vec3<float>(random.direction()), {}, {}};
+        const vec3<float> corner(float(random.uniform(0.5, 1)), float(random.uniform(0.5, 1)), 0x1p-24f);
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const double two = double(map.x[k]) * corner.x + double(map.y[k]) * corner.y;
+            map.origin[k] = -float(two);
+            map.z[k] = -float((two + map.origin[k]) * 0x1p24);
+        }
+        const aabb<float> bounds = transformed(just_so{{corner, corner}}, map).bounds();
+        const vec3<oracle> image = converted<oracle>(map).point(vec3<oracle>(corner));
+        REQUIRE(length(image) < 1e-13);
+        for (glm::length_t k = 0; k < 3; ++k) {
+            REQUIRE(oracle(bounds.min[k]) <= image[k]);
+            REQUIRE(image[k] <= oracle(bounds.max[k]));
+        }
+    }
 }
 
 TEST_CASE_TEMPLATE("transformed: properties of every shape", T, RAIO_NUMBERS) {
