@@ -42,6 +42,7 @@ TEST_CASE("spans: of one interval, or of none") {
     CHECK(spans<double, 1>(interval<double>{2, 1}).empty());
     CHECK(spans<double, 0>().empty());
     CHECK(spans(interval<float>{1, 2}).count == 1);
+    CHECK(spans<float, 3>(interval<float>{1, 2}).count == 1);
 }
 
 TEST_CASE("spans: what meets becomes one, what is empty is not added") {

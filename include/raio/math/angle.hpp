@@ -49,7 +49,7 @@ RAIO_FN constexpr T quadrant_turns(const T& y, const T& x) {
         const T flat = copysign(T(1), x - y);
         return flat * turn + (T(0.125f) - flat * T(0.125f));
     } else {
-        return atan2(y, x) * T(0.5 / std::numbers::pi);
+        return max(T(0), min(T(0.25), atan2(y, x) * T(0.5 / std::numbers::pi)));  // whatever the roundings were
     }
 }
 

@@ -80,7 +80,7 @@ struct revolved_piece<T, 1> {
         record_point(ray, c, rec, is_flat() ? T(0) : max(from.x, to.x) + norm1(axis) * abs(to.y - from.y));
         if (is_flat()) put_onto_plane(axis, vec3<T>(vec3<W>(base) + vec3<W>(axis) * W(from.y)), rec);
         rec.normal = local.normal;
-        rec.uv = {max(T(0), min(T(local.uv.x), T(1))), T(local.uv.y)};
+        rec.uv = {min(T(local.uv.x), T(1)), T(local.uv.y)};
     }
 
     RAIO_FN constexpr T area() const { return is_flat() ? as_ring(base).area() : as_frustum(base).area(); }
