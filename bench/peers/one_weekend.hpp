@@ -41,4 +41,23 @@ struct one_weekend_sphere {
     }
 };
 
+/// The same, as *Ray Tracing: The Next Week* goes on: with uv, from an arc cosine and an arc tangent.
+template <class T>
+struct next_week_sphere : one_weekend_sphere<T> {
+    static constexpr const char* name = "next_week";
+    using one_weekend_sphere<T>::one_weekend_sphere;
+
+    struct result : record<T> {
+        raio::vec2<T> uv;
+    };
+
+    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result& rec) const {
+        if (!one_weekend_sphere<T>::operator()(ray, t_min, t_max, rec)) return false;
+        const raio::vec3<T> outward = rec.front_face ? rec.normal : -rec.normal;
+        const T theta = std::acos(-outward.y), phi = std::atan2(-outward.z, outward.x) + raio::pi<T>;
+        rec.uv = {phi / (T(2) * raio::pi<T>), theta / raio::pi<T>};
+        return true;
+    }
+};
+
 }  // namespace peers

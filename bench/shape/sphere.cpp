@@ -13,8 +13,8 @@ void add() {
         const auto center = random.point<T>(0.5);
         return raio::sphere<T>{center, random.between<T>(0.5, 1.0)};
     };
-    bench::add<raio::sphere<T>, peers::one_weekend_sphere<T>, glm_sphere, peers::with_record<glm_sphere>>(
-        "sphere", random_sphere);
+    bench::add<raio::sphere<T>, peers::one_weekend_sphere<T>, peers::next_week_sphere<T>, glm_sphere,
+               peers::with_record<glm_sphere>>("sphere", random_sphere);
 }
 
 }  // namespace

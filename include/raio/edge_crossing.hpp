@@ -127,7 +127,7 @@ RAIO_FN constexpr void record_flat(const aabb<T>& corners, const vec3<W>& e1, co
     vec3<W> normal = cross(scaled_into_range<T>(e1), scaled_into_range<T>(e2));
     vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));
     record_point_between(corners, ray, at, rec);
-    rec.normal = outward * select(at.entering, N(1), N(-1));
+    rec.normal = outward * choose(at.entering, N(1), N(-1));
 }
 
 }  // namespace raio

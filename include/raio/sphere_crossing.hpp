@@ -32,32 +32,46 @@ RAIO_FN constexpr point_power<W> power_of_point(const vec3<D>& p, const D& radiu
 /// passes the centre. Written with that distance, s^2 is not a difference of large squares, which is what loses small
 /// and far spheres (Haines, Guenther and Akenine-Moeller, Ray Tracing Gems ch. 7, 2019).
 ///
+/// Where there are digits to spare, b^2 - a (l.l - radius^2) takes less, and does for what is not far away.
+///
 /// Always inlined, as what asks it: the part that packs seldom need would make it too large for GCC's taste.
 ///
 /// \tparam Roundings  1 if only l is rounded, and once; 2 for up to three roundings of each number
+/// \tparam Spare      do the numbers given leave W digits to spare?
 /// \param power        answers with the `point_power` of l, found with more digits than l has: what packs ask of rays
 ///                     that start on the sphere
-template <int Roundings, class W, class Power>
+template <int Roundings, bool Spare, class W, class Power>
 [[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere(const vec3<W>& l, const vec3<W>& d, const W& radius,
                                                                Power power) {
     using E = bound_t<W>;
-    vec3<W> moment = cross(l, d);
-    W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, passed2 = dot(moment, moment);
-    W s2 = ar2 - passed2;
-
-    // With u the unit roundoff, l x d is off by less than e = 4 Roundings u |l| |d|, and that decides whether the line
-    // passes by: its length is on the same side of |d| radius if its square is farther from that than e (2 |d| radius +
-    // e). The size of a vector is the sum of its components here, at most 1.74 times its length. Where a closer look
-    // can follow, the lengths' squares do: 2 e |d| radius is at most part |d|^2 radius^2 + e^2 / part. (Any part will
-    // do: a larger one leaves more tangents open, and a smaller one more of what is far away.)
     constexpr double u = unit_roundoff<W>, least = least_normal<W>;
-    E l_size = norm1(vec3<E>(l)), d_size = norm1(vec3<E>(d)), s2_error;
-    if constexpr (std::same_as<W, strict_double>) {
-        constexpr double part = 0x1p-21, of_sizes = 256 * Roundings * Roundings * u * u / part;
-        s2_error = E(2 * part) * (E(ar2) + E(passed2)) + E(of_sizes) * (E(a) * E(dot(l, l)));
-    } else {
-        E e = E(4 * Roundings * u) * l_size * d_size, rounding = E(8 * Roundings * u) * (E(ar2) + E(passed2));
-        s2_error = with_underflow<W>(e * (E(2) * d_size * E(radius) + e) + rounding);
+    W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, s2;
+    E s2_error;
+    bool brief = false;
+    if constexpr (Spare) {
+        W l2 = dot(l, l), r2 = radius * radius;
+        s2 = b * b - a * (l2 - r2), s2_error = W(64 * Roundings * u) * (a * (l2 + r2));
+        if (s2 < -s2_error) return nowhere<W>(true);
+        brief = s2 > W(0x1p33) * s2_error;  // t, then, is as good as by the other way
+    }
+    if (!brief) {
+        vec3<W> moment = cross(l, d);
+        W passed2 = dot(moment, moment);
+        s2 = ar2 - passed2;
+
+        // l x d is off by less than e = 4 Roundings u |l| |d|, and that decides whether the line passes by: its length
+        // is on the same side of |d| radius if its square is farther from that than e (2 |d| radius + e). The size of a
+        // vector is the sum of its components here, at most 1.74 times its length. Where a closer look can follow, the
+        // lengths' squares do: 2 e |d| radius is at most part |d|^2 radius^2 + e^2 / part. (Any part will do: a larger
+        // one leaves more tangents open, and a smaller one more of what is far away.)
+        if constexpr (std::same_as<W, strict_double>) {
+            constexpr double part = 0x1p-21, of_sizes = 256 * Roundings * Roundings * u * u / part;
+            s2_error = E(2 * part) * (E(ar2) + E(passed2)) + E(of_sizes) * (E(a) * E(dot(l, l)));
+        } else {
+            E d_size = norm1(vec3<E>(d)), e = E(4 * Roundings * u) * norm1(vec3<E>(l)) * d_size;
+            s2_error =
+                with_underflow<W>(e * (E(2) * d_size * E(radius) + e) + E(8 * Roundings * u) * (E(ar2) + E(passed2)));
+        }
     }
     // A sphere so small that the last precision cannot tell it from its centre has no normal: it is missed.
     E resolved = tie<W>(E(0x1p24 * u * u) * (E(b) * E(b)));
@@ -65,10 +79,19 @@ template <int Roundings, class W, class Power>
     const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), ar2 >= W(least) + resolved, radius > W(0));
     if (none(exists)) return nowhere<W>(apart);
 
-    // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
-    const mask_t<W> certain = some(apart, every(sound, exists, s2 > s2_error, s2 > W(0x1p-10) * ar2));
+    mask_t<W> crossed = every(sound, exists, s2 > s2_error);
     W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
-    E error = with_underflow<W>(E(0x1p9 * Roundings * u) * d_size * (l_size + E(radius)) * E(over_a));
+    E error;
+    if (brief) {
+        // The root is off by less than s2_error / s, and what is added to it by less than that.
+        error = E(2) * s2_error * E(over_a) / E(s);
+    } else {
+        // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
+        crossed = every(crossed, s2 > W(0x1p-10) * ar2);
+        error = with_underflow<W>(E(0x1p9 * Roundings * u) * norm1(vec3<E>(d)) * (norm1(vec3<E>(l)) + E(radius)) *
+                                  E(over_a));
+    }
+    const mask_t<W> certain = some(apart, crossed);
     vec2<W> t = quadratic_roots(over_a, b, dot(l, l) - radius * radius, s);
     W near = t.x, far = t.y;
     E near_error = error, far_error = error;
@@ -98,7 +121,8 @@ template <class W, real T, real R>
                                                                      const ray<R>& ray) {
     using D = wide_t<W>;
     const auto power = [&] { return power_of_point<1, W>(difference_as<D>(center, ray.origin), D(radius)); };
-    return cross_sphere<1>(difference_as<W>(center, ray.origin), vec3<W>(ray.direction), W(radius), power);
+    return cross_sphere<1, leaves_spare_digits<W, T, R>>(difference_as<W>(center, ray.origin), vec3<W>(ray.direction),
+                                                         W(radius), power);
 }
 
 /// What is missing of a crossing: one step of Newton's method towards |p|^2 = radius^2, whose slope 2 p.d grows by 2

@@ -26,6 +26,8 @@ static_assert(unit_roundoff<float> == 0x1p-24 && unit_roundoff<double> == 0x1p-5
 static_assert(infinity<float> > std::numeric_limits<float>::max());
 
 static_assert(select(true, 1, 2) == 1 && select(false, 1, 2) == 2);
+static_assert(choose(true, 1.5f, 2.5f) == 1.5f && choose(false, 1.5, 2.5) == 2.5);
+static_assert(choose(true, strict_double(1), strict_double(2)) == strict_double(1));
 static_assert(any(true) && all(true) && !none(true) && !any(false) && !all(false) && none(false));
 static_assert(min(1.0, 2.0) == 1 && max(1.0, 2.0) == 2 && min(2.0f, 1.0f) == 1 && max(2.0f, 1.0f) == 2);
 static_assert(quotient(6.0, 3.0, 7.0) == 2 && quotient(6.0, 0.0, 7.0) == 7 && quotient(6.0, -0.0, 7.0) == 7);

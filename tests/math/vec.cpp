@@ -29,6 +29,14 @@ TEST_CASE_TEMPLATE("vec: lengths and signs", T, float, double, oracle) {
     CHECK((select(false, v, -v).x == T(-2)));
 }
 
+TEST_CASE_TEMPLATE("vec: one of two, by a branch or without", T, float, double, double_double, oracle) {
+    const vec3<T> a(T(1), T(2), T(3)), b(T(4), T(5), T(6));
+    for (const bool first : {true, false}) {
+        CHECK((select(first, a, b) == (first ? a : b)));
+        CHECK((choose(first, a, b) == (first ? a : b)));
+    }
+}
+
 TEST_CASE_TEMPLATE("vec: unit vectors of those whose squares are out of range", T, float, double, double_double) {
     constexpr double large = std::same_as<T, float> ? 0x1p100 : 0x1p900;
     for (const double size : {large, 1.0, 1 / large}) {

@@ -30,14 +30,14 @@ RAIO_FN constexpr T eighth_turns(const T& low, const T& high) {
         return q * (p0 + p1 * q8);
     } else {
         const mask_t<T> upper = low > T(std::numbers::sqrt2 - 1) * high;  // tan(pi / 8)
-        T q = quotient(select(upper, low - high, low), select(upper, low + high, high), T(0));
+        T q = quotient(choose(upper, low - high, low), choose(upper, low + high, high), T(0));
         T q2 = q * q, q4 = q2 * q2, q8 = q4 * q4;
         T p0 = (T(0.15915494309189532) + T(-0.053051647697290656) * q2) +
                (T(0.031830988616556921) + T(-0.022736420275003919) * q2) * q4;
         T p1 = (T(0.017683874718384725) + T(-0.014468414713824675) * q2) +
                (T(0.012238941110840396) + T(-0.01056826053314365) * q2) * q4;
         T p2 = (T(0.0090532889747961497) + T(-0.0069201400295294301) * q2) + T(0.0033637991121386406) * q4;
-        return q * (p0 + (p1 + p2 * q8) * q8) + select(upper, T(0.125), T(0));
+        return q * (p0 + (p1 + p2 * q8) * q8) + choose(upper, T(0.125), T(0));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include <raio/config.hpp>
 
@@ -71,6 +72,19 @@ using bound_t = typename real_traits<T>::bound;
 template <std::same_as<bool> Mask, class T>
 RAIO_FN constexpr T select(Mask mask, T if_true, T if_false) {
     return mask ? if_true : if_false;
+}
+
+/// The same, and never by a branch: for what is as good as random, as which side of a surface a ray meets. A branch
+/// would be guessed wrong every other time, and that costs as much as a whole miss. A look-up is none.
+template <class Mask, class T>
+RAIO_FN constexpr T choose(Mask mask, std::type_identity_t<T> if_true, T if_false) {
+#if !defined(__CUDA_ARCH__)  // where nothing is guessed
+    if constexpr (std::same_as<Mask, bool> && std::is_trivially_copyable_v<T>) {
+        const T either[] = {if_false, if_true};
+        return either[static_cast<int>(mask)];
+    }
+#endif
+    return select(mask, if_true, if_false);
 }
 
 /// Is any, is every, is no lane of the mask set? One number has one lane.

@@ -105,6 +105,10 @@ RAIO_FN constexpr vec3<T> select(Mask mask, const vec3<T>& a, const vec3<T>& b) 
     return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 template <class Mask, class T>
+RAIO_FN constexpr vec3<T> choose(const Mask& mask, const vec3<T>& a, const vec3<T>& b) {
+    return {choose(mask, a.x, b.x), choose(mask, a.y, b.y), choose(mask, a.z, b.z)};
+}
+template <class Mask, class T>
 RAIO_FN constexpr vec2<T> select(Mask mask, const vec2<T>& a, const vec2<T>& b) {
     return {select(mask, a.x, b.x), select(mask, a.y, b.y)};
 }

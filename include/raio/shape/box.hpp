@@ -102,7 +102,7 @@ struct box {
         const mask_t<W> exists = every(meets, thinnest >= T(0), middle > T(0), size.x < most, size.y < most,
                                        size.z < most, is_finite(ray.origin), is_finite(ray.direction));
         const auto axis_of = [](const W& t, const W& t_x, const W& t_y) {
-            return select(t_x == t, index_t<W>(0), select(t_y == t, index_t<W>(1), index_t<W>(2)));
+            return choose(t_x == t, index_t<W>(0), choose(t_y == t, index_t<W>(1), index_t<W>(2)));
         };
         return {{exists, certain, near, near_error, exists, axis_of(near, x.x, y.x)},
                 {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y)}};
@@ -127,25 +127,25 @@ struct box {
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        const mask_t<T> x = c.face == index_t<T>(0), y = c.face == index_t<T>(1), z = c.face == index_t<T>(2);
-        const T zero(0), one(1);
         record_point_between({min, max}, ray, c, rec);
         // One coordinate is known without any error: that of the face, which is the low one where the line enters
         // forwards.
-        const auto onto = [&](mask_t<T> on, const R& d, T low, T high, T& p, T& error, N& normal) {
+        const mask_t<T> x = c.face == index_t<T>(0), y = c.face == index_t<T>(1), z = c.face == index_t<T>(2);
+        const T zero(0), one(1);
+        const auto put_onto = [&](mask_t<T> on, const R& d, T low, T high, T& p, T& error, N& normal) {
             const mask_t<T> forward = d > R(0), at_low = c.entering == forward;
-            p = select(on, select(at_low, low, high), p);
-            error = select(on, zero, error);
-            normal = select(on, select(forward, N(-1), N(1)), N(0));
+            p = choose(on, choose(at_low, low, high), p);
+            error = choose(on, zero, error);
+            normal = choose(on, choose(forward, N(-1), N(1)), N(0));
         };
-        onto(x, ray.direction.x, min.x, max.x, rec.point.x, rec.error.x, rec.normal.x);
-        onto(y, ray.direction.y, min.y, max.y, rec.point.y, rec.error.y, rec.normal.y);
-        onto(z, ray.direction.z, min.z, max.z, rec.point.z, rec.error.z, rec.normal.z);
+        put_onto(x, ray.direction.x, min.x, max.x, rec.point.x, rec.error.x, rec.normal.x);
+        put_onto(y, ray.direction.y, min.y, max.y, rec.point.y, rec.error.y, rec.normal.y);
+        put_onto(z, ray.direction.z, min.z, max.z, rec.point.z, rec.error.z, rec.normal.z);
         const auto along = [&](T p, T low, T high) {
             return raio::max(zero, raio::min(one, quotient(p - low, high - low, zero)));
         };
-        rec.uv = {along(select(x, rec.point.y, rec.point.x), select(x, min.y, min.x), select(x, max.y, max.x)),
-                  along(select(z, rec.point.y, rec.point.z), select(z, min.y, min.z), select(z, max.y, max.z))};
+        rec.uv = {along(choose(x, rec.point.y, rec.point.x), choose(x, min.y, min.x), choose(x, max.y, max.x)),
+                  along(choose(z, rec.point.y, rec.point.z), choose(z, min.y, min.z), choose(z, max.y, max.z))};
     }
 };
 

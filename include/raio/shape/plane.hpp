@@ -50,7 +50,7 @@ struct plane {
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));
         record_point(ray, c, rec);
-        rec.normal = outward * select(c.entering, N(1), N(-1));
+        rec.normal = outward * choose(c.entering, N(1), N(-1));
         vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - point);
         rec.uv = {fraction(local.x), fraction(local.y)};
     }

@@ -83,7 +83,7 @@ struct ring {
         vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));
         record_point(ray, c, rec);
         put_onto_plane(normal, center, rec);
-        rec.normal = outward * select(c.entering, N(1), N(-1));
+        rec.normal = outward * choose(c.entering, N(1), N(-1));
         vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - center);
         const T rho = sqrt(local.x * local.x + local.y * local.y);
         const T across = (rho - inner_radius) / (outer_radius - inner_radius);
