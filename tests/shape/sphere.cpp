@@ -73,6 +73,13 @@ TEST_CASE("sphere: from a point that lies on it exactly, and no root of 53 bits 
     });
 }
 
+TEST_CASE("sphere: seen from far away its point is as good as from close by") {
+    const sphere<float> shape{{0, 0, 0}, 0x1.b2593cp-1f};
+    hit_record<float> rec;
+    REQUIRE(shape.hit({{0, -0x1.baa426p+16f, 0}, {0, 0x1.ba5cf4p-7f, 0}}, 0, infinity<float>, rec));
+    CHECK(rec.point == vec3<float>(0, -shape.radius, 0));
+}
+
 TEST_CASE("sphere: a point beyond the largest number is recorded as the nearest that there is") {
     constexpr float most = std::numeric_limits<float>::max();
     const probe<sphere<float>> p{{vec3<float>(most), most}, {vec3<float>(most), vec3<float>(most)}};

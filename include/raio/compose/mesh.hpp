@@ -80,7 +80,7 @@ struct mesh {
     /// triangle's own normal where there are none.
     vec3<T> normal_at(const hit_record<T>& rec) const {
         if (normals.empty()) return rec.normal;
-        return normalize(mean_of(normals, rec)) * (rec.front_face ? T(1) : T(-1));
+        return normalize(mean_of(normals, rec)) * choose(rec.front_face, T(1), T(-1));
     }
 
     /// The mean of the uv of the triangle's vertices; where there are none, the triangle's own.

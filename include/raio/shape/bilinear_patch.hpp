@@ -100,7 +100,7 @@ struct bilinear_patch {
             outward = larger(aw, larger(at_u, at_v));
             outward = outward * (copysign(Q(1), dot(outward, direction)) * Q(at.entering ? -1 : 1));
         }
-        vec3<Q> facing = outward * Q(at.entering ? 1 : -1);
+        vec3<Q> facing = outward * choose(at.entering, Q(1), Q(-1));
         // Where rounding has turned it along the ray, it is mirrored.
         facing -= direction * (Q(2) * max(Q(0), dot(facing, direction)));
         record_point_between(corners(), ray, at, rec, T(size));
