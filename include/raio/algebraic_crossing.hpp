@@ -232,7 +232,7 @@ RAIO_FN constexpr void record_gradient(const ray<R>& ray, const crossing<W>& c, 
     record_point(ray, c, rec, bend);
     vec3<Q> direction(normalize(vec3<Q>(vec3<W>(ray.direction)))), outward(scaled_into_range<Q>(vec3<Q>(gradient)));
     Q steep = length(outward);
-    vec3<Q> normal = outward * quotient(choose(c.entering, Q(1), Q(-1)), steep, Q(0));
+    vec3<Q> normal = outward * quotient(Q(c.entering ? 1 : -1), steep, Q(0));
     const bool against = steep > Q(0) && dot(normal, direction) <= Q(unit_roundoff<T>);
     rec.normal = vec3<N>(against ? normal : -direction);
 }

@@ -22,9 +22,9 @@ RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>
     const mask_t<W> yes = W(0) == W(0), upward = !(speed.value < W(0));
     const index_t<W> base_face(1), top_face(2);
     // Each plane has an error of its own: at a tip that lies in one, it is all but none.
-    E near_error = choose(upward, low_error, high_error), far_error = choose(upward, high_error, low_error);
-    chord<W> c{{yes, speed.certain, min(low, high), near_error, yes, choose(upward, base_face, top_face)},
-               {yes, speed.certain, max(low, high), far_error, !yes, choose(upward, top_face, base_face)}};
+    E near_error = select(upward, low_error, high_error), far_error = select(upward, high_error, low_error);
+    chord<W> c{{yes, speed.certain, min(low, high), near_error, yes, select(upward, base_face, top_face)},
+               {yes, speed.certain, max(low, high), far_error, !yes, select(upward, top_face, base_face)}};
     const mask_t<W> parallel = !speed.exists;
     if (any(parallel)) {
         const mask_t<W> between =
@@ -56,8 +56,8 @@ RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>&
     const mask_t<W> parallel = !plane.exists, upward = !plane.entering, yes = W(0) == W(0);
     const mask_t<W> exists = some(!parallel, above.value <= tie<W>(above.error));
     const mask_t<W> certain = every(plane.certain, some(!parallel, abs(above.value) > above.error));
-    W near = choose(some(parallel, upward), -infinity<W>, plane.t);
-    W far = choose(some(parallel, !upward), infinity<W>, plane.t);
+    W near = select(some(parallel, upward), -infinity<W>, plane.t);
+    W far = select(some(parallel, !upward), infinity<W>, plane.t);
     const index_t<W> top_face(2);
     return {{exists, certain, near, plane.error, yes, top_face}, {exists, certain, far, plane.error, !yes, top_face}};
 }
@@ -120,22 +120,21 @@ RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, co
     const mask_t<T> side = c.face == index_t<T>(0), low = c.face == index_t<T>(1);
     vec3<Q> up = scaled_into_range<T>(vec3<Q>(axis)), from_axis(across);
     vec3<Q> sideways = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
-    vec3<Q> outward = choose(side, sideways, up * choose(low, Q(-1), Q(1)));
+    vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
     Q steep = length(outward);
     const mask_t<T> waist = !every(steep > Q(0), is_finite(steep));
     if (any(waist)) {  // too narrow for a normal, or too wide: it is the axis, against the ray
-        const Q turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction)))) * choose(c.entering, Q(1), Q(-1));
+        const Q turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction)))) * select(c.entering, Q(1), Q(-1));
         outward = select(waist, up * turned, outward), steep = select(waist, length(up), steep);
     }
 
     record_point(ray, c, rec, bend);
-    rec.normal = vec3<N>(outward * (choose(c.entering, Q(1), Q(-1)) / steep));
+    rec.normal = vec3<N>(outward * (select(c.entering, Q(1), Q(-1)) / steep));
     // Angles do not ask for unit length.
     const frame<Q> f = frame_about(up, length(up));
-    const T radius = choose(side, T(1), choose(low, radii.x, radii.y));  // of the cap, if it is one
-    const T rho(quotient(length(from_axis), Q(radius), Q(0)));
+    const T rho(quotient(length(from_axis), Q(select(low, radii.x, radii.y)), Q(0)));
     rec.uv = {turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))),
-              max(T(0), min(T(1), choose(side, T(height), rho)))};
+              max(T(0), min(T(1), select(side, T(height), rho)))};
 }
 
 /// Around two discs across one axis, and what may have been rounded off a point at their planes.

@@ -26,12 +26,6 @@ RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error) {
     }
 }
 
-/// Do numbers T and R leave W digits to spare, more than half of them? And is another precision there for what they do
-/// not settle? Then differences of squares, which would lose small and far shapes, are what takes the least work.
-template <class W, class T, class R>
-inline constexpr bool leaves_spare_digits =
-    std::conjunction_v<std::is_same<W, strict_double>, std::is_same<T, float>, std::is_same<R, float>>;
-
 /// A bound, and what may have been lost besides where small floats lose their digits. What is computed in double does
 /// not come near its own smallest numbers.
 template <real W>
@@ -121,9 +115,9 @@ struct chord {
 template <class Mask, class W>
 RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const crossing<W>& b) {
     const auto either = [&](const Mask& x, const Mask& y) { return some(every(mask, x), every(!mask, y)); };
-    return {either(a.exists, b.exists),     either(a.certain, b.certain),   choose(mask, a.t, b.t),
-            choose(mask, a.error, b.error), either(a.entering, b.entering), choose(mask, a.face, b.face),
-            choose(mask, a.u, b.u),         choose(mask, a.v, b.v),         either(a.shared, b.shared)};
+    return {either(a.exists, b.exists),     either(a.certain, b.certain),   select(mask, a.t, b.t),
+            select(mask, a.error, b.error), either(a.entering, b.entering), select(mask, a.face, b.face),
+            select(mask, a.u, b.u),         select(mask, a.v, b.v),         either(a.shared, b.shared)};
 }
 
 /// How fast a function changes along the line.
@@ -204,9 +198,9 @@ RAIO_FN constexpr chord<W> unite(const chord<W>& a, const chord<W>& b) {
         crossing<W> c = select(second, y, x);
         const mask_t<W> both = every(x.exists, y.exists);
         // The crossing that was passed over counts as far as its error reaches beyond the chosen one.
-        bound_t<W> apart = abs(bound_t<W>(y.t - x.t)), beyond = choose(second, x.error, y.error) - apart;
+        bound_t<W> apart = abs(bound_t<W>(y.t - x.t)), beyond = select(second, x.error, y.error) - apart;
         c.shared = some(c.shared, every(both, apart <= x.error + y.error));
-        c.error = choose(both, max(c.error, beyond), c.error);
+        c.error = select(both, max(c.error, beyond), c.error);
         c.certain = every(x.certain, y.certain);
         return c;
     };
@@ -230,11 +224,11 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     chord<W> both = a;
     both.near.t = max(a.near.t, b.near.t);
     both.near.error = error(both.near.t, a.near, b.near);
-    both.near.face = choose(b_enters_later, b.near.face, a.near.face);
+    both.near.face = select(b_enters_later, b.near.face, a.near.face);
     both.near.shared = shared(b_enters_later, a.near, b.near);
     both.far.t = min(a.far.t, b.far.t);
     both.far.error = error(both.far.t, a.far, b.far);
-    both.far.face = choose(b_leaves_first, b.far.face, a.far.face);
+    both.far.face = select(b_leaves_first, b.far.face, a.far.face);
     both.far.shared = shared(b_leaves_first, a.far, b.far);
 
     W inside = both.far.t - both.near.t;

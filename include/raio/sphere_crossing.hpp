@@ -22,6 +22,11 @@ RAIO_FN constexpr point_power<W> power_of_point(const vec3<D>& p, const D& radiu
                                      E(8 * Roundings * unit_roundoff<D>) * E(p2 + r2))};
 }
 
+/// Do numbers T and R leave W more than half its digits to spare, and is there a precision beyond W?
+template <class W, class T, class R>
+inline constexpr bool leaves_spare_digits =
+    std::conjunction_v<std::is_same<W, strict_double>, std::is_same<T, float>, std::is_same<R, float>>;
+
 /// The chord through the sphere about `l`, as seen from where the line has t = 0.
 ///
 /// The point at t lies on it where |t d - l|^2 = radius^2:
@@ -52,7 +57,7 @@ template <int Roundings, bool Spare, class W, class Power>
         W l2 = dot(l, l), r2 = radius * radius;
         s2 = b * b - a * (l2 - r2), s2_error = W(64 * Roundings * u) * (a * (l2 + r2));
         if (s2 < -s2_error) return nowhere<W>(true);
-        brief = s2 > W(0x1p33) * s2_error;  // t, then, is as good as by the other way
+        brief = s2 > W(0x1p38) * s2_error;
     }
     if (!brief) {
         vec3<W> moment = cross(l, d);
@@ -83,8 +88,8 @@ template <int Roundings, bool Spare, class W, class Power>
     W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
     E error;
     if (brief) {
-        // The root is off by less than s2_error / s, and what is added to it by less than that.
-        error = E(2) * s2_error * E(over_a) / E(s);
+        // The root is off by less than s2_error / s, a 2^38th of it, and what is added to it by less than that.
+        error = E(0x1p-37) * E(s) * E(over_a);
     } else {
         // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
         crossed = every(crossed, s2 > W(0x1p-10) * ar2);

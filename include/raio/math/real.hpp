@@ -74,8 +74,8 @@ RAIO_FN constexpr T select(Mask mask, T if_true, T if_false) {
     return mask ? if_true : if_false;
 }
 
-/// The same, and never by a branch: for what is as good as random, as which side of a surface a ray meets. A branch
-/// would be guessed wrong every other time, and that costs as much as a whole miss. A look-up is none.
+/// The same, and never by a branch: for what is as good as random, as the side of a triangle, or the face of a box. A
+/// branch would be guessed wrong every other time, and that costs as much as a whole miss. A look-up is none.
 template <class Mask, class T>
 RAIO_FN constexpr T choose(Mask mask, std::type_identity_t<T> if_true, T if_false) {
 #if !defined(__CUDA_ARCH__)  // where nothing is guessed

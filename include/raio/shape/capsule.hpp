@@ -73,18 +73,17 @@ struct capsule {
         W axis2 = dot(axis, axis), along = quotient(dot(from_base, axis), axis2, W(0));
         // At the upper end, which may be far from the base, the distance is measured from there.
         vec3<W> from_top = difference_as<W>(ray.origin, top) + step, beside = from_base - axis * max(W(0), along);
-        const mask_t<W> above = along >= W(1);
-        vec3<Q> from_axis(choose(above, from_top, beside));
+        vec3<Q> from_axis(select(along >= W(1), from_top, beside));
         vec3<N> outward(normalize(from_axis));
         record_point(ray, c, rec, radius);
-        rec.normal = outward * choose(c.entering, N(1), N(-1));
+        rec.normal = outward * select(c.entering, N(1), N(-1));
 
         const mask_t<T> is_long = T(axis2) > T(0);
         vec3<T> up(normalize(select(is_long, vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1)))));
         const frame<T> f = frame_about(up);
         vec3<T> from_center(from_axis);
         const T size = T(sqrt(axis2)), rise = dot(from_center, up),
-                height = T(choose(above, W(1), max(W(0), along))) * size + rise;
+                height = max(T(0), min(T(1), T(along))) * size + rise;
         rec.uv = {turns(dot(from_center, f.y), dot(from_center, f.x)),
                   max(T(0), min(T(1), (height + radius) / (size + T(2) * radius)))};
     }

@@ -119,7 +119,7 @@ struct convex_polyhedron {
         record_point(ray, c, rec);
         const auto axis_at = [&](const T& n_i) { return quotient(-plane.offset, n_i, T(0)); };
         put_onto_plane(n, {axis_at(n.x), axis_at(n.y), axis_at(n.z)}, rec);
-        rec.normal = outward * choose(c.entering, N(1), N(-1));
+        rec.normal = outward * select(c.entering, N(1), N(-1));
         vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point);
         rec.uv = {fraction(local.x), fraction(local.y)};
     }

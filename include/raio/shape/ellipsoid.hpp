@@ -42,8 +42,8 @@ struct ellipsoid {
             vec3<D> exactly = to_sphere<D>();
             return power_of_point<2, W>(exactly * difference_as<D>(center, ray.origin), D(radii.x) * exactly.x);
         };
-        chord<W> c = cross_sphere<2, leaves_spare_digits<W, T, R>>(
-            stretch * to_center, stretch * vec3<W>(ray.direction), W(radii.x) * stretch.x, power);
+        chord<W> c = cross_sphere<2, false>(stretch * to_center, stretch * vec3<W>(ray.direction),
+                                            W(radii.x) * stretch.x, power);
         const mask_t<T> sound = every(radii.x > T(0), radii.y > T(0), radii.z > T(0));
         c.near.exists = every(c.near.exists, sound);
         c.far.exists = every(c.far.exists, sound);
@@ -67,7 +67,7 @@ struct ellipsoid {
         vec3<N> outward(normalize(vec3<Q>(on_sphere * stretch)));  // a fifth power, whose square may be out of range
         const T longest = max(radii.x, max(radii.y, radii.z)), shortest = min(radii.x, min(radii.y, radii.z));
         record_point(ray, c, rec, min(longest * (longest / shortest), T(std::numeric_limits<scalar_t<T>>::max() / 4)));
-        rec.normal = outward * choose(c.entering, N(1), N(-1));
+        rec.normal = outward * select(c.entering, N(1), N(-1));
         vec3<T> unit(normalize_from<T>(vec3<Q>(on_sphere)));
         rec.uv = {turns(-unit.z, unit.x), latitude(unit.y, sqrt(unit.x * unit.x + unit.z * unit.z))};
     }

@@ -25,8 +25,8 @@ template <class W>
 RAIO_FN constexpr chord<W> one_nappe(const quadric_chord<W>& c, const mask_t<W>& line_runs_along) {
     const mask_t<W> yes = W(0) == W(0), forward = every(c.hollow, line_runs_along), back = every(c.hollow, !forward);
     crossing<W> near = c.ends.near, far_end = c.ends.far;
-    near.t = choose(forward, c.ends.far.t, choose(back, -infinity<W>, near.t));
-    far_end.t = choose(back, c.ends.near.t, choose(forward, infinity<W>, far_end.t));
+    near.t = select(forward, c.ends.far.t, select(back, -infinity<W>, near.t));
+    far_end.t = select(back, c.ends.near.t, select(forward, infinity<W>, far_end.t));
     near.entering = yes;
     far_end.entering = !yes;
     return {near, far_end};
@@ -36,7 +36,7 @@ RAIO_FN constexpr chord<W> one_nappe(const quadric_chord<W>& c, const mask_t<W>&
 template <class W, real T>
 RAIO_FN constexpr vec3<W> widening_axis(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
     const mask_t<T> turned = radii.y < radii.x;
-    return vec3<W>(choose(turned, base, top)) - vec3<W>(choose(turned, top, base));
+    return vec3<W>(select(turned, base, top)) - vec3<W>(select(turned, top, base));
 }
 
 /// The side, from the end with the lesser radius on.
@@ -60,7 +60,7 @@ RAIO_FN constexpr chord<W> cross_nappe(const revolved_quadric<W>& cone, const ve
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
                                        const ray<R>& ray) {
-    vec3<W> to_end = vec3<W>(choose(radii.y < radii.x, top, base)) - vec3<W>(ray.origin);
+    vec3<W> to_end = vec3<W>(select(radii.y < radii.x, top, base)) - vec3<W>(ray.origin);
     return cross_nappe(nappes(widening_axis<W>(base, top, radii), radii), radii, to_end,
                        norm1(vec3<bound_t<W>>(to_end)), vec3<W>(ray.direction));
 }
@@ -88,7 +88,7 @@ RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, 
         if (none(at_apex)) return off;
         // At its apex a cone has no normal. Seen along the axis it looks like a plane; a ray that only touches it there
         // comes from the side.
-        const W side = choose(c.entering, W(1), W(-1));
+        const W side = select(c.entering, W(1), W(-1));
         vec3<W> tip = axis * copysign(W(1), -widening);
         W forward = max(W(0), dot(tip, d) * side) * side;
         tip = tip - d * (forward / dot(d, d));

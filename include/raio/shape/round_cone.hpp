@@ -95,9 +95,9 @@ struct round_cone {
         W along = dot(from_base, axis), only = select(narrowing < W(0), W(1), W(0));
         W which = select(apart > W(0), quotient(along - W(base_radius) * narrowing, apart, only), only);
         vec3<W> beside = from_base - axis * max(W(0), which);
-        vec3<N> outward(normalize(vec3<Q>(choose(which >= W(1), from_top, beside))));
+        vec3<N> outward(normalize(vec3<Q>(select(which >= W(1), from_top, beside))));
         record_point(ray, c, rec, max(base_radius, top_radius));
-        rec.normal = outward * choose(c.entering, N(1), N(-1));
+        rec.normal = outward * select(c.entering, N(1), N(-1));
 
         vec3<T> up(normalize(select(axis2 > W(0), vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1)))));
         const frame<T> f = frame_about(up);

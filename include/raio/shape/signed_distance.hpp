@@ -93,7 +93,7 @@ private:
             return (distance(rec.point + along * step) - distance(rec.point - along * step)) / (T(2) * step);
         };
         vec3<T> slope(rise({T(1), T(0), T(0)}), rise({T(0), T(1), T(0)}), rise({T(0), T(0), T(1)}));
-        const T steepness = length(slope), side = choose(entering, T(1), T(-1));
+        const T steepness = length(slope), side = entering ? T(1) : T(-1);
         const bool flat = !(steepness > T(0) && is_finite(steepness));
         vec3<T> towards = normalize(ray.direction), facing = flat ? -towards : slope * (side / steepness);
         // Where the slope is drowned in its error, and points along the ray, it is mirrored.

@@ -58,7 +58,7 @@ struct sphere {
         vec3<W> from_center = seen_from(center, ray, c.t);
         vec3<N> outward(normalize_from<T>(vec3<Q>(from_center)));
         record_point(ray, c, rec, radius);
-        rec.normal = outward * choose(c.entering, N(1), N(-1));
+        rec.normal = outward * select(c.entering, N(1), N(-1));
         // Angles do not ask for unit length: they need not wait for the root.
         vec3<T> scaled(vec3<Q>(from_center) * (Q(1) / Q(radius)));
         rec.uv = {turns(-scaled.z, scaled.x), latitude(scaled.y, sqrt(scaled.x * scaled.x + scaled.z * scaled.z))};

@@ -155,7 +155,7 @@ struct torus {
         const Q along = copysign(Q(1), dot(f.z, vec3<Q>(vec3<W>(ray.direction)))), up = c.entering ? -along : along;
         vec3<N> outward(f.to_world(nowhere ? vec3<Q>(Q(0), Q(0), up) : normalize_from<T>(from_circle)));
         record_point(ray, c, rec, major_radius + minor_radius);
-        rec.normal = outward * choose(c.entering, N(1), N(-1));
+        rec.normal = outward * select(c.entering, N(1), N(-1));
         rec.uv = {turns(T(p.y), T(p.x)), turns(T(p.z), T(rho - Q(major_radius)))};
     }
 
