@@ -4,7 +4,8 @@ NUMBERS = ("float", "double")
 PERCENTS = ("0", "50", "100")
 
 # (shape, peer, the peer's number type or None for the shape's own): what `hit` shall be no slower than
-BAR = (("sphere", "one_weekend", "double"), ("sphere", "next_week", "double"), ("triangle", "glm", None), ("plane", "glm", None))
+BAR = (("sphere", "one_weekend", "double"), ("sphere", "next_week", "double"), ("triangle", "glm", None),
+       ("plane", "glm", None))
 
 
 def medians(results):

@@ -54,6 +54,8 @@ template <int Roundings, bool Spare, class W, class Power>
     E s2_error;
     bool brief = false;
     if constexpr (Spare) {
+        // Each of the two terms is off by less than 20 Roundings u of a (l.l + radius^2). Where s^2 is 2^38 times as
+        // much, which it is up to some 20 radii away, the ends of the chord are good to 2^-37 of its half.
         W l2 = dot(l, l), r2 = radius * radius;
         s2 = b * b - a * (l2 - r2), s2_error = W(64 * Roundings * u) * (a * (l2 + r2));
         if (s2 < -s2_error) return nowhere<W>(true);
@@ -88,7 +90,8 @@ template <int Roundings, bool Spare, class W, class Power>
     W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
     E error;
     if (brief) {
-        // The root is off by less than s2_error / s, a 2^38th of it, and what is added to it by less than that.
+        // The root is off by less than s2_error / s, a 2^38th of it; and b by less than that, since it is by 18
+        // Roundings u |l| |d|, and s is at most |d| radius.
         error = E(0x1p-37) * E(s) * E(over_a);
     } else {
         // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
