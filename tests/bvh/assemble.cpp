@@ -35,7 +35,6 @@ struct assembled_check {
             if (box.low(0) > box.high(0)) continue;
             const std::uint32_t child = node.child_at(place);
             build_box below;
-            double weight = 1;
             if (detail::child::is_leaf(child)) {
                 Tree::leaves_type::with_kind(detail::child::kind(child), [&](auto kind) {
                     const auto& leaves = std::get<kind()>(tree.leaves.all);
@@ -44,13 +43,12 @@ struct assembled_check {
                     for (std::uint32_t left = used; left != 0; left &= left - 1) {
                         below.include(check_shape<kind()>(leaves, block, std::countr_zero(left)));
                     }
-                    weight = double(leaves.cost.of(static_cast<std::uint32_t>(std::popcount(used))));
                 });
             } else {
                 REQUIRE((i < child && child < tree.nodes.size()));
                 below = check(child);
             }
-            sum += double(box.half_area()) * weight;
+            sum += double(box.half_area());
             if (tight) REQUIRE(same_corners(below, box));
             all.include(box);
         }

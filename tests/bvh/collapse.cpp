@@ -10,7 +10,6 @@
 
 namespace raio::test {
 
-using detail::leaf_kind;
 using detail::leaf_range;
 using detail::wide_tree;
 
@@ -26,7 +25,7 @@ struct wide_check {
     const wide_tree& wide;
     std::span<const build_box> references;
     detail::kinds kind_of;
-    std::span<const leaf_kind> costs;
+    std::span<const std::uint32_t> lanes;
     std::vector<int> seen = std::vector<int>(references.size(), 0);
     std::vector<int> visited = std::vector<int>(wide.nodes.size(), 0);
     double sum = 0, memory = 0;  ///< what it costs, and what the memory of its nodes would
@@ -57,13 +56,13 @@ struct wide_check {
         }
         const binary_node made =
             binary_node::leaf(all, 0, count, kinds.size() == 1 ? *kinds.begin() : binary_node::mixed);
-        if (!is_leaf(wide)) sum += double(all.half_area()), memory += double(detail::memory_cost(made, costs));
+        if (!is_leaf(wide)) sum += double(all.half_area()), memory += double(detail::memory_cost(made, lanes));
         return made;
     }
 
     binary_node check_leaf(std::uint32_t kind, std::uint32_t block) {
         const leaf_range range = wide.leaves[kind][block];
-        REQUIRE((1 <= range.count && range.count <= costs[kind].lanes));
+        REQUIRE((1 <= range.count && range.count <= lanes[kind]));
         build_box below;
         for (std::uint32_t j = range.first; j < range.first + range.count; ++j) {
             const std::uint32_t id = binary.order[j];
@@ -71,7 +70,7 @@ struct wide_check {
             ++seen[id];
             below.include(references[id]);
         }
-        sum += double(below.half_area() * costs[kind].of(range.count));
+        sum += double(below.half_area());
         return binary_node::leaf(below, 0, range.count, kind);
     }
 
@@ -86,18 +85,18 @@ struct wide_check {
 /// The least cost of all wide trees that can be made, that of their memory included, found by trying them.
 struct brute_force {
     const binary_tree& binary;
-    std::span<const leaf_kind> costs;
+    std::span<const std::uint32_t> lanes;
 
     double best(std::uint32_t n) const {
         const binary_node& node = binary.nodes[n];
         double least = infinity<double>;
-        if (node.kind() != binary_node::mixed && node.count() <= costs[node.kind()].lanes) {
-            least = double(node.box.half_area() * costs[node.kind()].of(node.count()));
+        if (node.kind() != binary_node::mixed && node.count() <= lanes[node.kind()]) {
+            least = double(node.box.half_area());
         }
         if (!node.is_leaf()) {
             for (std::size_t left = 1; left < node_width; ++left) {
                 const double sum = in_places(node.first(), left) + in_places(node.first() + 1, node_width - left);
-                least = std::min(least, double(node.box.half_area() + detail::memory_cost(node, costs)) + sum);
+                least = std::min(least, double(node.box.half_area() + detail::memory_cost(node, lanes)) + sum);
             }
         }
         return least;
@@ -117,9 +116,7 @@ binary_tree along_curve(std::span<const build_box> references, detail::kinds kin
     return detail::morton_builder(references, detail::centers_of(references), kind_of, leaf, 1).take();
 }
 
-constexpr leaf_kind blocks{.lanes = 4, .block_cost = 1, .shape_cost = 0};
-constexpr leaf_kind single{.lanes = 1, .block_cost = 1, .shape_cost = 0};
-constexpr leaf_kind lists{.lanes = 4, .block_cost = 0, .shape_cost = 1};
+constexpr std::uint32_t blocks_of_four[] = {4};
 
 }  // namespace
 
@@ -132,16 +129,16 @@ TEST_CASE("collapser: each reference in one leaf, and the cost as it is said") {
         for (const std::size_t kinds : {1u, 3u}) {
             const std::span<const std::uint32_t> ids = std::span(first_id).first(kinds);
             for (const std::uint32_t leaf : {1u, 4u}) {
-                const leaf_kind costs[] = {blocks, lists, leaf == 1 ? single : blocks};
-                const std::span<const leaf_kind> kind_costs = std::span(costs).first(kinds);
+                const std::uint32_t lanes_of_all[] = {4, 8, leaf};
+                const std::span<const std::uint32_t> lanes = std::span(lanes_of_all).first(kinds);
                 const binary_tree binary = along_curve(references, {ids}, leaf);
-                const wide_tree wide = detail::collapser(binary, kind_costs, 1).take();
-                wide_check{binary, wide, references, {ids}, kind_costs}();
+                const wide_tree wide = detail::collapser(binary, lanes, 1).take();
+                wide_check{binary, wide, references, {ids}, lanes}();
             }
         }
     }
     const binary_tree none;
-    CHECK(detail::collapser(none, std::span(&blocks, 1), 1).take().nodes.empty());
+    CHECK(detail::collapser(none, blocks_of_four, 1).take().nodes.empty());
 }
 
 TEST_CASE("collapser: no wide tree costs less") {
@@ -150,12 +147,12 @@ TEST_CASE("collapser: no wide tree costs less") {
         const std::vector<build_box> references =
             random_references(random, static_cast<std::size_t>(random.integer(1, 9)));
         const std::uint32_t first_id[] = {0, 4};
-        const leaf_kind costs[] = {random.one_in(2) ? blocks : single, random.one_in(2) ? lists : single};
+        const std::uint32_t lanes[] = {random.one_in(2) ? 4u : 1u, random.one_in(2) ? 8u : 1u};
         const binary_tree binary = along_curve(references, {first_id}, 1);
-        const wide_tree wide = detail::collapser(binary, costs, 1).take();
-        wide_check check{binary, wide, references, {first_id}, costs};
+        const wide_tree wide = detail::collapser(binary, lanes, 1).take();
+        wide_check check{binary, wide, references, {first_id}, lanes};
         check();
-        REQUIRE(check.sum + check.memory == doctest::Approx(brute_force{binary, costs}.best(0)).epsilon(1e-5));
+        REQUIRE(check.sum + check.memory == doctest::Approx(brute_force{binary, lanes}.best(0)).epsilon(1e-5));
     }
 }
 
@@ -164,10 +161,10 @@ TEST_CASE("collapser: from any number of threads the same") {
     const std::vector<build_box> references = random_references(random, 50'000);
     const std::uint32_t first_id[] = {0};
     const binary_tree binary = along_curve(references, {first_id}, 4);
-    const wide_tree one = detail::collapser(binary, std::span(&blocks, 1), 1).take();
-    wide_check{binary, one, references, {first_id}, std::span(&blocks, 1)}();
+    const wide_tree one = detail::collapser(binary, blocks_of_four, 1).take();
+    wide_check{binary, one, references, {first_id}, blocks_of_four}();
     for (const unsigned threads : {2u, 5u}) {
-        const wide_tree several = detail::collapser(binary, std::span(&blocks, 1), threads).take();
+        const wide_tree several = detail::collapser(binary, blocks_of_four, threads).take();
         REQUIRE(several.cost == one.cost);
         REQUIRE(std::ranges::equal(several.leaves[0], one.leaves[0], {}, &leaf_range::first, &leaf_range::first));
         REQUIRE(std::ranges::equal(several.nodes, one.nodes, [](const wide_node& a, const wide_node& b) {

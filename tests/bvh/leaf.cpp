@@ -4,6 +4,7 @@
 
 #include <raio/shape/convex_polyhedron.hpp>
 #include <raio/shape/sphere.hpp>
+#include <raio/shape/triangle.hpp>
 
 #include "support/random.hpp"
 
@@ -51,7 +52,7 @@ TEST_CASE_TEMPLATE("judge: what is known of a crossing", T, RAIO_NUMBERS) {
     using W = pack<T, 4>;
     for (const known_crossing& k : known_crossings) {
         CAPTURE(&k - known_crossings);
-        const detail::findings<T, 4> found = detail::judge(in_every_lane<W>(k), W(1), W(2));
+        const detail::findings<T, 4> found = detail::judge<T>(in_every_lane<W>(k), W(1), W(2));
         check_lanes<T, 4>(found.sure, k.is == state::inside);
         check_lanes<T, 4>(found.open, k.is == state::open);
         if (k.is == state::inside) CHECK((found.low[3] == T(k.t - k.error) && found.high[3] == T(k.t + k.error)));
@@ -69,7 +70,7 @@ TEST_CASE_TEMPLATE("judge: of a chord the first in the window", T, RAIO_NUMBERS)
             const bool is_passed = near.is == state::before || near.is == state::nowhere;
             const known_crossing& decisive = is_passed ? far : near;
             const chord<W> c{in_every_lane<W>(near), in_every_lane<W>(far)};
-            const detail::findings<T, 4> found = detail::judge(c, W(1), W(2));
+            const detail::findings<T, 4> found = detail::judge<T>(c, W(1), W(2));
             check_lanes<T, 4>(found.sure, decisive.is == state::inside);
             check_lanes<T, 4>(found.open, decisive.is == state::open);
             if (decisive.is == state::inside) {
@@ -117,28 +118,73 @@ TEST_CASE_TEMPLATE("leaf_blocks: shapes with their ids, each once, and nothing i
     CHECK((unknown.sure == 0 && unknown.open == 3));
 }
 
-TEST_CASE_TEMPLATE("leaf_list: shapes with their ids, one leaf behind the other", T, RAIO_NUMBERS) {
+TEST_CASE("judge: what double finds, for floats, is rounded to them before it counts") {
+    using W = pack<double, 4>;
+    const double u = 0x1p-24;  // half of what lies between two floats above 1
+    const auto found = [&](double t, double error, double t_min, double t_max) {
+        const mask_t<W> yes(true);
+        return detail::judge<float>(crossing<W>{yes, yes, W(t), W(error), yes}, W(t_min), W(t_max));
+    };
+    CHECK((found(1 + 0.5 * u, 0.1 * u, 0, 1).sure & 15) == 15);  // it is beyond 1, and rounded to it
+    CHECK((found(1 - 0.2 * u, 0.1 * u, 1, 2).sure & 15) == 15);
+    CHECK((found(1 + 2 * u, 0.1 * u, 0, 1).open & 15) == 0);  // it is the next float
+    CHECK((found(1 + 2 * u, 0.1 * u, 0, 1).sure & 15) == 0);
+    CHECK((found(1 + u, 0.1 * u, 0, 1).open & 15) == 15);  // it may be either of them
+    const auto between = found(1 + u, 0.1 * u, 0, 2);
+    CHECK((between.sure & 15) == 15);
+    CHECK((between.low[2] == 1 && between.high[2] == 1 + 2 * static_cast<float>(u)));
+}
+
+TEST_CASE("leaf_blocks: a ray that was mapped, whose digits are those of a double") {
+    detail::leaf_blocks<triangle<float>> leaves;
+    const detail::leaf_range ranges[] = {{0, 2}};
+    const std::uint32_t ids[] = {0, 1};
+    leaves.resize(ranges);
+    leaves.fill(0, ids, [](std::uint32_t id) {
+        const auto x = static_cast<float>(id);
+        return triangle<float>{{x, 0, -2}, {x + 1, 0, -2}, {x, 1, -2}};
+    });
+    const auto met_at = [&](double x) {
+        const ray<strict_double> r{{x, 0.25, 0}, {0, 0, -1}};
+        const auto found = leaves.find(0, r, 0.0f, infinity<float>);
+        CHECK(found.open == 0);
+        return found.sure;
+    };
+    CHECK(met_at(-1e-12) == 0);  // to a float these are 0, 0.75 and 1
+    CHECK(met_at(1e-12) == 1);
+    CHECK(met_at(0.75 - 1e-12) == 1);
+    CHECK(met_at(0.75 + 1e-12) == 0);
+    CHECK(met_at(1 - 1e-12) == 0);
+    CHECK(met_at(1 + 1e-12) == 2);
+
+    // The window is one of floats, and t comes to lie in it once it is one.
+    const auto is_in_window = [&](double z, double speed, float t) {
+        return leaves.find(0, ray<strict_double>{{0.25, 0.25, z}, {0, 0, speed}}, t, t).sure == 1;
+    };
+    for (const double off : {1 - 1e-12, 1.0, 1 + 1e-12}) CHECK(is_in_window(0, -off, 2));
+    for (const double z : {-2 - 1e-60, -2.0, -2 + 1e-60}) CHECK(is_in_window(z, -1, 0));
+    CHECK(!is_in_window(0, -(1 + 1e-6), 2));
+}
+
+TEST_CASE_TEMPLATE("leaf_list: shapes with their ids, each a leaf", T, RAIO_NUMBERS) {
     detail::leaf_list<convex_polyhedron<T>> leaves;
     const auto shape_of = [](std::uint32_t id) {
         return convex_polyhedron<T>{std::vector<half_space<T>>(id, half_space<T>{{1, 0, 0}, 0})};
     };
-    const detail::leaf_range ranges[] = {{0, 3}, {3, 1}};
-    const std::uint32_t ids[] = {7, 3, 4, 5};
+    const detail::leaf_range ranges[] = {{0, 1}, {1, 1}};
+    const std::uint32_t ids[] = {7, 5};
     leaves.resize(ranges);
     REQUIRE(leaves.size() == 2);
-    leaves.fill(0, std::span(ids).first(3), shape_of);
-    leaves.fill(1, std::span(ids).last(1), shape_of);
-    CHECK((leaves.used(0) == 7 && leaves.used(1) == 1));
-    CHECK((leaves.bytes() >= 4 * sizeof(shape_of(1)) && leaves.bytes() < 20 * sizeof(shape_of(1))));
-    for (unsigned lane = 0; lane < 3; ++lane) {
-        CHECK(leaves.id(0, lane) == ids[lane]);
-        CHECK(leaves.shape(0, lane).planes.size() == ids[lane]);
+    for (std::uint32_t i = 0; i < 2; ++i) leaves.fill(i, std::span(ids).subspan(i, 1), shape_of);
+    CHECK((leaves.bytes() >= 2 * sizeof(shape_of(1)) && leaves.bytes() < 10 * sizeof(shape_of(1))));
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        CHECK((leaves.used(i) == 1 && leaves.id(i, 0) == ids[i]));
+        CHECK(leaves.shape(i, 0).planes.size() == ids[i]);
     }
-    CHECK((leaves.id(1, 0) == 5 && leaves.shape(1, 0).planes.size() == 5));
-    leaves.set(0, 2, shape_of(9));
-    CHECK((leaves.shape(0, 2).planes.size() == 9 && leaves.shape(1, 0).planes.size() == 5));
+    leaves.set(0, 0, shape_of(9));
+    CHECK((leaves.shape(0, 0).planes.size() == 9 && leaves.shape(1, 0).planes.size() == 5));
     const auto unknown = detail::open_lanes(leaves, 0);
-    CHECK((unknown.sure == 0 && unknown.open == 7));
+    CHECK((unknown.sure == 0 && unknown.open == 1));
 }
 
 }  // namespace raio::test

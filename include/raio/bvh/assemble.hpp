@@ -99,13 +99,13 @@ private:
 
     trees make_trees(large_vector<build_box>& references, const build_box& centers, bvh_quality quality,
                      unsigned threads) const {
-        static constexpr std::array costs{leaves_of<Shapes>::cost...};
-        const std::uint32_t leaf = std::ranges::min(costs, {}, &leaf_kind::lanes).lanes;
+        static constexpr std::array lanes{static_cast<std::uint32_t>(leaves_of<Shapes>::lanes)...};
+        const std::uint32_t leaf = std::ranges::min(lanes);
         trees made;
         made.binary = quality == bvh_quality::low
                           ? morton_builder(references, centers, {first_id_}, leaf, threads).take()
                           : binned_builder(references, centers, {first_id_}, {.leaf = leaf}, threads).take();
-        made.wide = collapser(made.binary, costs, threads).take();
+        made.wide = collapser(made.binary, lanes, threads).take();
         return made;
     }
 
@@ -238,7 +238,6 @@ private:
                 if (node.planes[0][j] > node.planes[1][j]) continue;  // without a child
                 const std::uint32_t c = node.child_at(j);
                 build_box box;
-                float weight = 1;
                 if (child::is_leaf(c)) {
                     leaves_type::with_kind(child::kind(c), [&](auto kind) {
                         const auto& own = std::get<kind()>(leaves.all);
@@ -246,14 +245,13 @@ private:
                         for (std::uint32_t left = used; left != 0; left &= left - 1) {
                             box.include(references[own.id(block, static_cast<unsigned>(std::countr_zero(left)))]);
                         }
-                        weight = own.cost.of(static_cast<std::uint32_t>(std::popcount(used)));
                     });
                 } else {
                     box = boxes[c];
                 }
                 node.set(j, box);
                 boxes[i].include(box);
-                sum += static_cast<double>(box.half_area() * weight);
+                sum += static_cast<double>(box.half_area());
             }
         }
         if (!nodes.empty()) cost = 1 + quotient(sum, static_cast<double>(boxes[0].half_area()), 0.0);

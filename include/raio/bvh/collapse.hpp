@@ -20,15 +20,6 @@
 
 namespace raio::detail {
 
-/// What a block of shapes of one kind costs beside a node, and how many it holds.
-struct leaf_kind {
-    std::uint32_t lanes;
-    float block_cost;  ///< to test a block
-    float shape_cost;  ///< and for each of its shapes
-
-    float of(std::uint32_t count) const { return block_cost + static_cast<float>(count) * shape_cost; }
-};
-
 /// The references that make a leaf.
 struct leaf_range {
     std::uint32_t first, count;
@@ -37,8 +28,9 @@ struct leaf_range {
 /// What a wide node that is made of this one costs for the memory that it takes: the more, the fewer shapes share it.
 /// Blocks of shapes fill it by themselves. (Measured: of 100,000 discs, 0, 2 and 8 times the area over the count make a
 /// tree of 17.6, 14.0 and 10.5 MB, through which a ray goes in 29.0, 29.2 and 30.1 nodes.)
-inline float memory_cost(const binary_node& n, std::span<const leaf_kind> kinds) {
-    if (n.kind() != binary_node::mixed && kinds[n.kind()].lanes > 1) return 0;
+/// \param lanes  how many shapes of each kind a leaf holds
+inline float memory_cost(const binary_node& n, std::span<const std::uint32_t> lanes) {
+    if (n.kind() != binary_node::mixed && lanes[n.kind()] > 1) return 0;
     return 8 * n.box.half_area() / static_cast<float>(n.count());
 }
 
@@ -52,9 +44,10 @@ struct wide_tree {
 
 class collapser {
 public:
-    collapser(const binary_tree& tree, std::span<const leaf_kind> kinds, unsigned threads)
-        : binary_(tree), kinds_(kinds), cost_(tree.nodes.size() / 2) {
-        wide_.leaves.resize(kinds.size());
+    /// \param lanes  how many shapes of each kind a leaf holds at most; all of them cost what a node costs
+    collapser(const binary_tree& tree, std::span<const std::uint32_t> lanes, unsigned threads)
+        : binary_(tree), lanes_(lanes), cost_(tree.nodes.size() / 2) {
+        wide_.leaves.resize(lanes.size());
         if (tree.nodes.empty()) return;
         // The nodes of a part have their children in it, but for the first part, which is on top of all.
         parallel_for(tree.parts.size() - 1, threads, [&](std::size_t i) { find_costs(tree.parts[i + 1]); });
@@ -79,9 +72,8 @@ private:
     float area(std::uint32_t n) const { return binary_.nodes[n].box.half_area(); }
 
     float leaf_cost(const binary_node& n) const {
-        if (n.kind() == binary_node::mixed || n.count() > kinds_[n.kind()].lanes) return build_box::none;
-        const leaf_kind& kind = kinds_[n.kind()];
-        return n.box.half_area() * kind.of(n.count());
+        if (n.kind() == binary_node::mixed || n.count() > lanes_[n.kind()]) return build_box::none;
+        return n.box.half_area();
     }
 
     /// c(n, places)
@@ -110,7 +102,7 @@ private:
             } else {
                 for (std::size_t k = 1; k < width; ++k) give(cost_[one->first() / 2][k - 1], k);
             }
-            const float as_node = n.box.half_area() + memory_cost(n, kinds_) + distributed[width - 1];
+            const float as_node = n.box.half_area() + memory_cost(n, lanes_) + distributed[width - 1];
             // More places never cost more.
             cost_[n.first() / 2] = costs::min(distributed, costs(std::min(leaf_cost(n), as_node)));
         }
@@ -203,7 +195,7 @@ private:
         struct open_node {
             std::uint32_t binary, place;
         };
-        all.leaf_count.assign(kinds_.size(), 0);
+        all.leaf_count.assign(lanes_.size(), 0);
         std::vector<open_node> stack{{all.root, 0}};
         while (!stack.empty()) {
             const open_node current = stack.back();
@@ -252,22 +244,22 @@ private:
         parallel_for(branches.size(), threads, [&](std::size_t i) { choose(branches[i], nullptr); });
         branches.push_back(std::move(top));
         std::uint32_t first_node = branches.back().places;
-        std::vector<std::uint32_t> first_leaf(kinds_.size(), 0);
+        std::vector<std::uint32_t> first_leaf(lanes_.size(), 0);
         double cost = 0;
         for (branch& b : branches) {
             cost += b.cost;
             if (&b != &branches.back()) b.first_node = std::exchange(first_node, first_node + b.places - 1);
             b.first_leaf = first_leaf;
-            for (std::size_t kind = 0; kind < kinds_.size(); ++kind) first_leaf[kind] += b.leaf_count[kind];
+            for (std::size_t kind = 0; kind < lanes_.size(); ++kind) first_leaf[kind] += b.leaf_count[kind];
         }
         wide_.cost = quotient(cost, static_cast<double>(area(0)), 1.0);
         wide_.nodes.resize(first_node);
-        for (std::size_t kind = 0; kind < kinds_.size(); ++kind) wide_.leaves[kind].resize(first_leaf[kind]);
+        for (std::size_t kind = 0; kind < lanes_.size(); ++kind) wide_.leaves[kind].resize(first_leaf[kind]);
         parallel_for(branches.size(), threads, [&](std::size_t i) { emit(branches[i]); });
     }
 
     const binary_tree& binary_;
-    std::span<const leaf_kind> kinds_;
+    std::span<const std::uint32_t> lanes_;
     large_vector<costs> cost_;
     wide_tree wide_;
 };

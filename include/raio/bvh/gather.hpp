@@ -66,6 +66,24 @@ private:
     alignas(packed) std::byte bytes_[sizeof(packed)];
 };
 
+/// The same shapes as packs P, number by number.
+template <class P, class Packed>
+decltype(auto) as_packs_of(const Packed& packed) {
+    using own = number_t<Packed>;
+    if constexpr (std::same_as<P, own>) {
+        return packed;
+    } else {
+        rebind_t<Packed, P> wide;
+        for (std::size_t k = 0; k < sizeof(Packed) / sizeof(own); ++k) {
+            own numbers;
+            std::memcpy(&numbers, reinterpret_cast<const std::byte*>(&packed) + k * sizeof(own), sizeof(own));
+            const P converted(numbers);
+            std::memcpy(reinterpret_cast<std::byte*>(&wide) + k * sizeof(P), &converted, sizeof(P));
+        }
+        return wide;
+    }
+}
+
 template <class Shape, std::size_t N>
 struct find_gathered {
     using type = gathered_numbers<Shape, N>;

@@ -49,45 +49,65 @@ struct findings {
     pack<T, N> low, high;
 };
 
+/// Between which numbers the exact t comes to lie once it is rounded to T.
+template <class T, class W>
+struct rounded_between {
+    W low, high;
+
+    explicit rounded_between(const crossing<W>& c) : low(rounded(c.t - c.error)), high(rounded(c.t + c.error)) {}
+
+private:
+    static W rounded(const W& x) {
+        if constexpr (std::same_as<scalar_t<W>, T>) {
+            return x;
+        } else {
+            return W(pack<T, W::lanes>(x));
+        }
+    }
+};
+
 /// The bits of the lanes in which a crossing is known to be in the window, before it, beyond it, or nowhere.
-template <class T, std::size_t N>
 struct lanes_of_crossing {
     std::uint32_t inside, before, beyond, nowhere;
 
-    lanes_of_crossing(const crossing<pack<T, N>>& c, const pack<T, N>& low, const pack<T, N>& high,
-                      const pack<T, N>& t_min, const pack<T, N>& t_max) {
+    template <class T, class W>
+    lanes_of_crossing(const crossing<W>& c, const rounded_between<T, W>& t, const W& t_min, const W& t_max) {
         const std::uint32_t certain = bits(c.certain), exists = certain & bits(c.exists);
-        inside = exists & bits(every(t_min <= low, high <= t_max));
-        before = exists & bits(high < t_min);
-        beyond = exists & bits(t_max < low);
+        inside = exists & bits(every(t_min <= t.low, t.high <= t_max));
+        before = exists & bits(t.high < t_min);
+        beyond = exists & bits(t_max < t.low);
         nowhere = certain & ~exists;
     }
 };
 
-template <class T, std::size_t N>
-findings<T, N> judge(const crossing<pack<T, N>>& c, const pack<T, N>& t_min, const pack<T, N>& t_max) {
-    if (c.missed) return {0, 0, c.t, c.t};
-    // The exact t is rounded to T as these are: between them is where it comes to lie.
-    pack<T, N> low = c.t - c.error, high = c.t + c.error;
-    const lanes_of_crossing<T, N> is(c, low, high, t_min, t_max);
-    return {is.inside, ~(is.inside | is.before | is.beyond | is.nowhere), low, high};
+/// \tparam T  what t is rounded to, as the ends of the window are
+template <class T, class W>
+findings<T, W::lanes> judge(const crossing<W>& c, const W& t_min, const W& t_max) {
+    using numbers = pack<T, W::lanes>;
+    if (c.missed) return {0, 0, numbers(0), numbers(0)};
+    const rounded_between<T, W> t(c);
+    const lanes_of_crossing is(c, t, t_min, t_max);
+    return {is.inside, ~(is.inside | is.before | is.beyond | is.nowhere), numbers(t.low), numbers(t.high)};
 }
 
 /// Of a chord the first that is in the window. That of a tube without caps may have a far end only.
-template <class T, std::size_t N>
-findings<T, N> judge(const chord<pack<T, N>>& c, const pack<T, N>& t_min, const pack<T, N>& t_max) {
-    using W = pack<T, N>;
-    if (missed(c)) return {0, 0, W(0), W(0)};
-    W near_low = c.near.t - c.near.error, near_high = c.near.t + c.near.error;
-    W far_low = c.far.t - c.far.error, far_high = c.far.t + c.far.error;
-    const lanes_of_crossing<T, N> near(c.near, near_low, near_high, t_min, t_max);
-    const lanes_of_crossing<T, N> far(c.far, far_low, far_high, t_min, t_max);
+template <class T, class W>
+findings<T, W::lanes> judge(const chord<W>& c, const W& t_min, const W& t_max) {
+    using numbers = pack<T, W::lanes>;
+    if (missed(c)) return {0, 0, numbers(0), numbers(0)};
+    const rounded_between<T, W> near_t(c.near), far_t(c.far);
+    const lanes_of_crossing near(c.near, near_t, t_min, t_max), far(c.far, far_t, t_min, t_max);
     const std::uint32_t passed = near.before | near.nowhere;
     const std::uint32_t sure = near.inside | (passed & far.inside);
     const std::uint32_t out = near.beyond | (passed & (far.before | far.beyond | far.nowhere));
-    const mask_t<W> at_near = every(c.near.exists, t_min <= near_low);
-    return {sure, ~(sure | out), select(at_near, near_low, far_low), select(at_near, near_high, far_high)};
+    const mask_t<W> at_near = every(c.near.exists, t_min <= near_t.low);
+    return {sure, ~(sure | out), numbers(select(at_near, near_t.low, far_t.low)),
+            numbers(select(at_near, near_t.high, far_t.high))};
 }
+
+/// What the lanes of a block compute with: the shapes' own numbers, or what holds those of a ray that was mapped.
+template <class R, class T, std::size_t N>
+using lanes_for = pack<std::conditional_t<std::same_as<R, T>, T, double>, N>;
 
 /// Shapes in blocks of packs.
 template <class Shape>
@@ -95,7 +115,6 @@ class leaf_blocks {
 public:
     using T = number_t<Shape>;
     static constexpr std::size_t lanes = block_lanes<Shape>;
-    static constexpr leaf_kind cost{.lanes = lanes, .block_cost = 1, .shape_cost = 0};
 
     void resize(std::span<const leaf_range> ranges) { blocks_.resize(ranges.size()); }
     std::uint32_t size() const { return static_cast<std::uint32_t>(blocks_.size()); }
@@ -132,13 +151,24 @@ public:
     Shape shape(std::uint32_t i, unsigned lane) const { return blocks_[i].shapes.get(lane); }
     void set(std::uint32_t i, unsigned lane, const Shape& shape) { blocks_[i].shapes.set(lane, shape); }
 
-    findings<T, lanes> find(std::uint32_t i, const ray<T>& along, T t_min, T t_max) const {
-        using W = pack<T, lanes>;
+    /// Packs know nothing of rays with more digits than a double.
+    template <real R>
+    requires(unit_roundoff<R> >= unit_roundoff<double>) findings<T, lanes> find(std::uint32_t i, const ray<R>& along,
+                                                                                T t_min, T t_max)
+    const {
+        using W = lanes_for<R, T, lanes>;
+        using S = scalar_t<W>;
         const block& b = blocks_[i];
-        const ray<W> in_every_lane{vec3<W>(along.origin), vec3<W>(along.direction)};
-        const W from(t_min), to(std::min(t_max, std::numeric_limits<T>::max()));  // what is at infinity is missed
+        const ray<W> in_every_lane{vec3<W>(vec3<S>(along.origin)), vec3<W>(vec3<S>(along.direction))};
+        const S from = t_min, to = std::min(t_max, std::numeric_limits<T>::max());  // what is at infinity is missed
+        // What is found in more digits than T has may be rounded into the window.
+        constexpr bool rounds = !std::same_as<S, T>;
+        constexpr double part = rounds ? 2 * unit_roundoff<T> : 0, least = rounds ? least_normal<T> : 0;
+        const S before = abs(from) * S(part) + S(least), behind = abs(to) * S(part) + S(least);
         findings<T, lanes> found =
-            judge(crossings_for<W, question::where>(b.shapes.shapes(), in_every_lane, from, to), from, to);
+            judge<T>(crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), in_every_lane,
+                                                       W(from - before), W(to + behind)),
+                     W(from), W(to));
         constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - lanes);
         if (((found.sure | found.open) & all) != 0) {
             const std::uint32_t used = b.used();
@@ -165,43 +195,28 @@ private:
     large_vector<block> blocks_;
 };
 
-/// Shapes that have no shape of packs, one after the other: all that is found in them is open.
+/// Shapes that have no shape of packs, each a leaf: what is found in it is open.
 template <class Shape>
 class leaf_list {
 public:
     using T = number_t<Shape>;
-    static constexpr std::size_t lanes = 4;
-    static constexpr leaf_kind cost{.lanes = lanes, .block_cost = 0, .shape_cost = 1};
+    static constexpr std::size_t lanes = 1;
 
-    void resize(std::span<const leaf_range> ranges) {
-        std::uint32_t first = 0;
-        for (const leaf_range& range : ranges) {
-            ranges_.push_back({first, range.count});
-            first += range.count;
-        }
-        shapes_.resize(first);
-        ids_.resize(first);
-    }
-    std::uint32_t size() const { return static_cast<std::uint32_t>(ranges_.size()); }
-    std::size_t bytes() const {
-        return ranges_.size() * sizeof(leaf_range) + shapes_.size() * (sizeof(shapes_[0]) + sizeof(std::uint32_t));
-    }
+    void resize(std::span<const leaf_range> ranges) { shapes_.resize(ranges.size()), ids_.resize(ranges.size()); }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(ids_.size()); }
+    std::size_t bytes() const { return size() * (sizeof(shapes_[0]) + sizeof(std::uint32_t)); }
 
     template <class ShapeOf>
     void fill(std::size_t i, std::span<const std::uint32_t> ids, ShapeOf shape_of) {
-        for (std::size_t j = 0; j < ids.size(); ++j) {
-            shapes_[ranges_[i].first + j] = shape_of(ids[j]);
-            ids_[ranges_[i].first + j] = ids[j];
-        }
+        shapes_[i] = shape_of(ids[0]), ids_[i] = ids[0];
     }
 
-    std::uint32_t used(std::uint32_t i) const { return (1u << ranges_[i].count) - 1; }
-    std::uint32_t id(std::uint32_t i, unsigned lane) const { return ids_[ranges_[i].first + lane]; }
-    const Shape& shape(std::uint32_t i, unsigned lane) const { return *shapes_[ranges_[i].first + lane]; }
-    void set(std::uint32_t i, unsigned lane, const Shape& shape) { shapes_[ranges_[i].first + lane] = shape; }
+    static std::uint32_t used(std::uint32_t) { return 1; }
+    std::uint32_t id(std::uint32_t i, unsigned) const { return ids_[i]; }
+    const Shape& shape(std::uint32_t i, unsigned) const { return *shapes_[i]; }
+    void set(std::uint32_t i, unsigned, const Shape& shape) { shapes_[i] = shape; }
 
 private:
-    std::vector<leaf_range> ranges_;
     std::vector<std::optional<Shape>> shapes_;  // not every shape can be empty; all of these are set by `fill`
     std::vector<std::uint32_t> ids_;
 };

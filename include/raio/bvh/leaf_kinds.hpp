@@ -14,11 +14,18 @@ public:
 
     std::tuple<Leaves...> all;
 
-    /// What packs say of the shapes of a leaf, if it has any. A ray of more digits is nothing for packs.
+    /// Do packs know anything of the shapes of that kind, and of such rays?
+    template <std::size_t Kind, class R>
+    static constexpr bool filters = requires(const std::tuple_element_t<Kind, std::tuple<Leaves...>> leaves,
+                                             const ray<R> ray) {
+        leaves.find(0, ray, 0, 0);
+    };
+
+    /// What packs say of the shapes of a leaf; nothing, if they do not know.
     template <std::size_t Kind, class T, class R>
     auto find(std::uint32_t i, const ray<R>& ray, T t_min, T t_max) const {
         const auto& leaves = std::get<Kind>(all);
-        if constexpr (std::same_as<R, T> && requires { leaves.find(i, ray, t_min, t_max); }) {
+        if constexpr (filters<Kind, R>) {
             return leaves.find(i, ray, t_min, t_max);
         } else {
             return open_lanes(leaves, i);

@@ -22,21 +22,13 @@ public:
 
     template <std::size_t Kind>
     void visit(std::uint32_t block) {
-        auto found = leaves_.template find<Kind>(block, ray_, t_min_, high_);
-        for (; found.sure != 0; found.sure &= found.sure - 1) {
-            const auto lane = static_cast<unsigned>(std::countr_zero(found.sure));
-            const T low = found.low[lane], high = found.high[lane];
-            if (exists_ && high_ < low) continue;
-            if (!exists_ || high < low_) {
-                take({Kind, block, lane, std::get<Kind>(leaves_.all).id(block, lane)}, low, high);
-            } else {
-                found.open |= 1u << lane;
+        if constexpr (Leaves::template filters<Kind, R>) {
+            sift<Kind>(block);
+        } else {
+            // Nothing is quicker than to ask. So that is done at once: what is found shortens the way.
+            for (std::uint32_t left = std::get<Kind>(leaves_.all).used(block); left != 0; left &= left - 1) {
+                settle<Kind>(place_of<Kind>(block, static_cast<unsigned>(std::countr_zero(left))));
             }
-        }
-        for (; found.open != 0; found.open &= found.open - 1) {
-            if (open_count_ == open_.size()) settle_open();
-            const auto lane = static_cast<unsigned>(std::countr_zero(found.open));
-            open_[open_count_++] = {Kind, block, lane, std::get<Kind>(leaves_.all).id(block, lane)};
         }
     }
 
@@ -54,6 +46,31 @@ private:
         unsigned lane;
         std::uint32_t id;
     };
+
+    template <std::size_t Kind>
+    place place_of(std::uint32_t block, unsigned lane) const {
+        return {Kind, block, lane, std::get<Kind>(leaves_.all).id(block, lane)};
+    }
+
+    /// Takes what packs are certain of, and lets wait what they leave open.
+    template <std::size_t Kind>
+    void sift(std::uint32_t block) {
+        auto found = leaves_.template find<Kind>(block, ray_, t_min_, high_);
+        for (; found.sure != 0; found.sure &= found.sure - 1) {
+            const auto lane = static_cast<unsigned>(std::countr_zero(found.sure));
+            const T low = found.low[lane], high = found.high[lane];
+            if (exists_ && high_ < low) continue;
+            if (!exists_ || high < low_) {
+                take(place_of<Kind>(block, lane), low, high);
+            } else {
+                found.open |= 1u << lane;
+            }
+        }
+        for (; found.open != 0; found.open &= found.open - 1) {
+            if (open_count_ == open_.size()) settle_open();
+            open_[open_count_++] = place_of<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open)));
+        }
+    }
 
     void take(const place& at, T low, T high) {
         at_ = at, low_ = low, high_ = high;
