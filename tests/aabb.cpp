@@ -48,6 +48,13 @@ TEST_CASE_TEMPLATE("aabb: hull takes in both", T, RAIO_NUMBERS) {
     CHECK(hull(both, vec3<T>(0, 7, -1)).min == vec3<T>(-3, -5, -1));
 }
 
+TEST_CASE_TEMPLATE("aabb: the nearest point in it", T, RAIO_NUMBERS) {
+    const aabb<T> box{{-1, 2, 0}, {1, 5, 0}};
+    CHECK(nearest_in(box, vec3<T>(0.5, 3, 0)) == vec3<T>(0.5, 3, 0));
+    CHECK(nearest_in(box, vec3<T>(-7, 6, 1)) == vec3<T>(-1, 5, 0));
+    CHECK(nearest_in(box, vec3<T>(infinity<T>, -infinity<T>, -1)) == vec3<T>(1, 2, 0));
+}
+
 TEST_CASE_TEMPLATE("outward: to the next number or the one after it, and off zero", T, RAIO_NUMBERS) {
     using limits = std::numeric_limits<T>;
     for (const T x : {T(1), T(-1), T(2) - limits::epsilon(), T(0.3), T(-1e20), T(1e-20), limits::max() / 2}) {

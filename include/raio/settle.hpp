@@ -185,12 +185,23 @@ template <real R, real T, real N>
     rec.uv = {number_or_0(rec.uv.x), number_or_0(rec.uv.y)};
 }
 
+template <class Shape, real T, real N>
+[[gnu::noinline]] RAIO_FN constexpr void put_within_bounds(const Shape& shape, hit_record<T, N>& rec) {
+    rec.point = nearest_in(shape.bounds(), rec.point);
+}
+
 /// What the shape records of a crossing. Where its numbers are so uneven that no normal is left of them, that is
-/// against the ray; and what is left of uv is 0.
-template <class Shape, real R, class Crossing, real T, real N>
-RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
+/// against the ray; and what is left of uv is 0. Where the last precision does not know t well, of a ray that grazes a
+/// tip or a rim, the point may have come to lie beyond the bounds.
+template <class Shape, real R, class W, real T, real N>
+RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const crossing<W>& crossing,
+                              hit_record<T, N>& rec) {
     shape.surface(ray, crossing, rec);
     if (!all(rec.normal.x == rec.normal.x)) put_against(ray, rec);
+    if constexpr (std::same_as<W, double_double> && requires { shape.bounds(); }) {
+        constexpr double rounding = (1 + 0x1p-7) * unit_roundoff<T>;  // `padded` has room for that 128th
+        if (any(norm1(rec.error) > norm1(rec.point) * T(rounding))) put_within_bounds(shape, rec);
+    }
 }
 
 }  // namespace detail
@@ -278,9 +289,7 @@ template <class W, real R, real T, real N>
 RAIO_FN constexpr void record_point_between(const aabb<T>& corners, const ray<R>& ray, const crossing<W>& c,
                                             hit_record<T, N>& rec, T bend = T(0)) {
     record_point(ray, c, rec, bend);
-    const auto between = [](T low, T high, T x) { return max(low, min(high, x)); };
-    rec.point = {between(corners.min.x, corners.max.x, rec.point.x), between(corners.min.y, corners.max.y, rec.point.y),
-                 between(corners.min.z, corners.max.z, rec.point.z)};
+    rec.point = nearest_in(corners, rec.point);
 }
 
 }  // namespace raio

@@ -164,6 +164,21 @@ TEST_CASE_TEMPLATE("bezier_curve: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("bezier_curve: where a thorn is met from far away (the point lay beyond the bounds)") {
+    const bezier_curve<double> thorn{{0x1.091224b35f0a4p+0, 0x1.4d178792dc569p+0, -0x1.25948b9390ce8p+1},
+                                     {0x1.212866c8d130ap+0, 0x1.7b9a30237e91ep+0, -0x1.2db3bcd1b0361p-1},
+                                     {0x1.152dec8522b85p+0, 0x1.4bce95c989371p+1, -0x1.aac571056791cp-1},
+                                     {0x1.86e272bb098ccp+0, 0x1.2784374ed68fap-1, -0x1.8155830efbaeap-2},
+                                     0x1.80b96ef774621p-3,
+                                     0x1.cd13329dc7c9ep-4,
+                                     0x1.56c7c8965dbabp-3,
+                                     0};
+    const ray<double> ray{{0x1.f31e25af2a94fp+17, 0x1.fee377571db89p+17, 0x1.b1f81fca75d64p+17},
+                          {-0x1.f31d623df1377p+17, -0x1.fee32d760fe4ep+17, -0x1.b1f84ff526382p+17}};
+    CHECK(inconsistent_record(probe<bezier_curve<double>>{thorn, ray, 0, infinity<double>}) == "");
+    CHECK(thorn.occluded(ray, 0, 2));
+}
+
 TEST_CASE_TEMPLATE("bezier_curve: properties of every shape", T, RAIO_NUMBERS) { check_properties<bezier_curve<T>>(); }
 
 TEST_CASE_TEMPLATE("bezier_curve: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -64,6 +64,16 @@ TEST_CASE_TEMPLATE("cone: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("cone: the point of a ray that grazes the apex (it lay beyond the bounds)") {
+    const cone<double> cone{{-0x1.ac5e7303bdf73p-1, 0x1.2bc7bec2335b5p-2, 0x1.5d5b4251b3de3p-2},
+                            {0x1.372af8161078dp-5, 0x1.0dbf8259c6b93p+0, 0x1.474de7e8cdabfp-4},
+                            0x1.3cb814680f79fp-5};
+    const ray<double> ray{{-0x1.d5ba2b83fd0c8p-3, 0x1.a45ccb561485ap-1, 0x1.6038fbdd9d5b4p-3},
+                          {0x1.11c274c4c0956p-2, 0x1.dc88e575e3b3p-3, -0x1.79240fd26d0a8p-4}};
+    CHECK(inconsistent_record(probe<raio::cone<double>>{cone, ray, 0, infinity<double>}) == "");
+    CHECK(cone.occluded(ray, 0, 2));
+}
+
 TEST_CASE_TEMPLATE("cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<cone<T>>(); }
 
 TEST_CASE_TEMPLATE("cone: as exact arithmetic", T, RAIO_NUMBERS) {
