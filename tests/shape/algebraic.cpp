@@ -150,6 +150,17 @@ TEST_CASE_TEMPLATE("open_algebraic: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("algebraic: from a wall of the box that is the surface as well (what left it by 2^-1022 met it again)") {
+    // 2 x where y = z = 1, and no more than that below.
+    const algebraic<double, 4> shape{
+        {-3, -1, 0}, {0, 2, 3}, {{1, 1, 3, 0}, {-1, 1, 1, 0}, {2, 1, 2, 0}, {1, 0, 0, 1}, {-1, 0, 0, 0}}};
+    hit_record<double> rec;
+    REQUIRE(shape.hit({{4, 1, 1}, {-1, 0, 0}}, 0, infinity<double>, rec));
+    CHECK(rec.point == vec3<double>(0, 1, 1));
+    REQUIRE(shape.hit(spawn_ray(rec, {-0x1p-11, -1, -0.125}), 0, infinity<double>, rec));
+    CHECK((!rec.front_face && rec.t > 1));
+}
+
 TEST_CASE_TEMPLATE("algebraic: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<algebraic<T, 4>>();
     check_properties<open_algebraic<T, 4>>();

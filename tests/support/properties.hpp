@@ -186,7 +186,7 @@ std::string extreme_answer(const probe<Shape>& p) {
     return wrong;
 }
 
-/// Is the recorded point so far from every edge that the face it lies on is the nearest one, seen from within?
+/// Is the recorded point so far from every edge that the face it lies on is the nearest one, from within and without?
 template <class Shape>
 bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec) {
     const auto exact_shape = converted<oracle>(shape);
@@ -194,8 +194,10 @@ bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec)
     // A face that is hit has no error across it, but a spawned ray leaves it by two numbers.
     const oracle depth = 4 * oracle(norm1(rec.error)) + 8 * unit_roundoff<number_t<Shape>> * oracle(norm1(rec.point));
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
-    const oracle distance = about::distance(exact_shape, converted<oracle>(rec.point) + inwards * depth);
-    return (solid<Shape> ? oracle(-distance) : distance) > depth * 0.7;
+    const auto point = converted<oracle>(rec.point);
+    const oracle within = about::distance(exact_shape, point + inwards * depth);
+    const oracle without = about::distance(exact_shape, point - inwards * depth);
+    return (solid<Shape> ? oracle(-within) : within) > depth * 0.99 && without > depth * 0.99;
 }
 
 /// A ray that was spawned on the surface never hits it again where it left: outwards it misses a convex solid, inwards

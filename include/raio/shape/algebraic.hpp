@@ -105,13 +105,13 @@ struct algebraic {
             crossing<W> on_box = c;
             on_box.face = c.entering ? clip.near.face : clip.far.face;
             box.surface(ray, on_box, rec);
+            // The point is on the face without any error; but what leaves it has to be certain that it is not on f.
+            rec.error += vec3<T>(norm1(max - min) * T(0x1p-88));
             return;
         }
         vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t;
         record_gradient(ray, c, gradient(p), norm1(max - min), rec);
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            rec.point[axis] = raio::max(min[axis], raio::min(max[axis], rec.point[axis]));
-        }
+        rec.point = nearest_in(aabb<T>{min, max}, rec.point);
         vec3<T> place = (rec.point - min) / (max - min);
         rec.uv = {raio::min(T(1), place.x), raio::min(T(1), place.y)};
     }

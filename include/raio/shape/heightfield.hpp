@@ -132,9 +132,13 @@ private:
             const W origin(ray.origin[axis]), speed(ray.direction[axis]);
             if (speed == none) return interval<W>{origin, origin};
             const W one = speed * from, other = speed * to,
-                    off = slack * (abs(origin) + raio::max(abs(one), abs(other)));
-            return interval<W>{origin + raio::min(one, other) - off, origin + raio::max(one, other) + off};
+                    around = slack * (abs(origin) + raio::max(abs(one), abs(other)));
+            return interval<W>{origin + raio::min(one, other) - around, origin + raio::max(one, other) + around};
         };
+        // How far the t of a line of the grid may be off, and that of a crossing on it.
+        const W farthest = abs(a_from) + raio::max(abs(W(min[a])), abs(W(max[a])));
+        const W off = quotient(slack * farthest, abs(a_speed), none);
+
         // The strip to begin with; backwards, the last of those that end where it begins.
         const bool backwards = a_speed < none;
         const std::uint32_t strips = cells(a);
@@ -150,9 +154,8 @@ private:
             } else {
                 const W enter = ((backwards ? high : low) - a_from) / a_speed,
                         leave = ((backwards ? low : high) - a_from) / a_speed;
-                from = raio::max(from, enter - slack * abs(enter));
-                to = raio::min(to, leave + slack * abs(leave));
-                if (enter - slack * abs(enter) > latest) return;
+                from = raio::max(from, enter - off), to = raio::min(to, leave + off);
+                if (enter - off > latest) return;
                 if (from > to) continue;
             }
             const interval<W> across = reach(b, from, to), height = reach(2, from, to);
