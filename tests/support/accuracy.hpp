@@ -28,8 +28,9 @@ std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<number_t<Sh
 }
 
 /// The crossings in 50 digits. Where a ray meets the very edge of a closed shape, 50 digits decide no better than any
-/// others: it is crossed, then, if it is as soon as it is larger by 1e-40. That moves a tangent's t by up to the root
-/// of it, which `error` says; of all others it is what 50 digits leave open, which matters where t is 0.
+/// others, and say that they are not certain: it is crossed, then, if it is as soon as it is larger by 1e-40. That
+/// moves a tangent's t by up to the root of it, which `error` says; of all others it is what 50 digits leave open,
+/// which matters where t is 0.
 template <class Shape>
 std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
     const auto exact_shape = converted<oracle>(shape);
@@ -53,6 +54,7 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<numb
         if (about::lies_in_side(exact_shape, exact_ray)) return crossings;
     }
     if constexpr (requires { about::grown(exact_shape); }) {
+        if (std::ranges::all_of(crossings, &crossing<oracle>::certain)) return crossings;
         std::vector larger = all_crossings<oracle>(about::grown(exact_shape), exact_ray);
         add_errors(larger, 1e-19);
         if (larger.size() > crossings.size()) return larger;
