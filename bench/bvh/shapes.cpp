@@ -1,5 +1,6 @@
 #include <raio/bvh/bvh.hpp>
 #include <raio/compose/group.hpp>
+#include <raio/compose/transformed.hpp>
 #include <raio/shape/box.hpp>
 #include <raio/shape/cylinder.hpp>
 #include <raio/shape/disc.hpp>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "bvh/measure.hpp"
+#include "bvh/scenes.hpp"
 #ifdef RAIO_BENCH_EMBREE
 #include "peers/closest_approach.hpp"
 #include "peers/embree.hpp"
@@ -19,8 +21,8 @@
 #include "peers/slabs.hpp"
 #endif
 
-// Other shapes than triangles: 100,000 of one type, or 20,000 of each of five, strewn in a cube so that a third of the
-// view gets through. SHAPES/RAYS/CONTENDER is one measurement.
+// Other shapes than triangles: 100,000 of one type, 20,000 of each of five, or 1,000 instances of one mesh, strewn in a
+// cube so that a third of the view gets through. SHAPES/RAYS/CONTENDER is one measurement.
 
 namespace {
 
@@ -56,6 +58,14 @@ void make(bench::generator& random, triangle& t) {
     t.a = random.point<float>(1);
     t.b = t.a + random.point<float>(0.013);
     t.c = t.a + random.point<float>(0.013);
+}
+
+using mesh_tree = raio::bvh<triangle>;
+using instance = raio::transformed<const mesh_tree*>;
+void make(bench::generator& random, raio::transform<float>& map) {
+    const vec3 axis = random.direction<float>(), size(random.between<float>(0.03, 0.06));
+    const float angle = random.between<float>(0, 6);
+    map = raio::translation(random.point<float>(1)) * raio::rotation(axis, angle) * raio::scaling(size);
 }
 
 template <class Shape>
@@ -137,11 +147,20 @@ int main(int argc, char** argv) {
     const auto some_boxes = strewn<box>(of_five);
     const auto some_triangles = strewn<triangle>(of_five);
 
+    const bench::lazy mesh([] { return std::make_unique<bench::mesh>(bench::bumpy_sphere(20'000)); });
+    const bench::lazy tree_of_mesh([=] { return std::make_unique<mesh_tree>(*mesh); });
+    const auto maps = strewn<raio::transform<float>>(1'000);
+
     const rays at_spheres = add_raio("spheres", [=] { return *spheres; });
     const rays at_cylinders = add_raio("cylinders", [=] { return *cylinders; });
     const rays at_discs = add_raio("discs", [=] { return *discs; });
     const rays at_five = add_raio("five_types", [=] {
         return raio::group(*some_spheres, *some_boxes, *some_cylinders, *some_discs, *some_triangles);
+    });
+    const rays at_instances = add_raio("instances", [=] {
+        std::vector<instance> instances;
+        for (const auto& map : *maps) instances.emplace_back(&*tree_of_mesh, map);
+        return instances;
     });
 #ifdef RAIO_BENCH_EMBREE
     using peers::embree;
@@ -158,6 +177,8 @@ int main(int argc, char** argv) {
         add_user_geometry<disc_kernel>(to, some_discs);
         add_triangles(to, *some_triangles);
     });
+    add_embree("instances", "embree", at_instances,
+               [=](embree& to) { to.add_instances(mesh->vertices, mesh->triangles, *maps); });
 #endif
     return bench::run(argc, argv);
 }

@@ -90,7 +90,7 @@ def other_shapes(measured):
         peers = [key[3] for key in measured
                  if key[:3] == ("shapes", scene, "primary") and key[3].startswith("embree")]
         rows.append([scene] + [shown(ratio(measured, "shapes", scene, rays, "raio", peers)) for rays in RAYS])
-    return table(["100,000 of", *RAYS], rows)
+    return table(["scene", *RAYS], rows)
 
 
 def builds(measured):

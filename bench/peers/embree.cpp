@@ -16,7 +16,7 @@ RTCDevice new_device(const embree_options& options) {
 }  // namespace
 
 embree::embree(const embree_options& options)
-    : quality_(options.quality), device_(new_device(options)), scene_(rtcNewScene(device_)) {
+    : quality_(options.quality), robust_(options.robust), device_(new_device(options)), scene_(new_scene()) {
     const auto count_bytes = [](void* counter, ssize_t bytes, bool) {
         *static_cast<std::atomic<std::int64_t>*>(counter) += bytes;
         return true;
@@ -24,8 +24,6 @@ embree::embree(const embree_options& options)
     rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &bytes_);
     rtcSetDeviceErrorFunction(
         device_, [](void*, RTCError, const char* what) { throw std::runtime_error(what); }, nullptr);
-    rtcSetSceneBuildQuality(scene_, options.quality);
-    rtcSetSceneFlags(scene_, options.robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
 }
 
 embree::~embree() {
@@ -33,7 +31,14 @@ embree::~embree() {
     rtcReleaseDevice(device_);
 }
 
-void embree::add_triangles(std::span<const vec3> vertices, std::span<const index3> triangles) {
+RTCScene embree::new_scene() const {
+    RTCScene scene = rtcNewScene(device_);
+    rtcSetSceneBuildQuality(scene, quality_);
+    rtcSetSceneFlags(scene, robust_ ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+    return scene;
+}
+
+RTCGeometry embree::mesh(std::span<const vec3> vertices, std::span<const index3> triangles) {
     // Embree loads four floats at each vertex: the last one needs something behind it.
     auto& coordinates = vertices_.emplace_back();
     coordinates.reserve(3 * vertices.size() + 1);
@@ -45,7 +50,26 @@ void embree::add_triangles(std::span<const vec3> vertices, std::span<const index
                                3 * sizeof(float), vertices.size());
     rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, own.data(), 0, sizeof(index3),
                                own.size());
-    attach(mesh);
+    return mesh;
+}
+
+void embree::add_triangles(std::span<const vec3> vertices, std::span<const index3> triangles) {
+    attach(mesh(vertices, triangles));
+}
+
+void embree::add_instances(std::span<const vec3> vertices, std::span<const index3> triangles,
+                           std::span<const raio::transform<float>> maps) {
+    RTCScene shared = new_scene();
+    attach(mesh(vertices, triangles), shared);
+    rtcCommitScene(shared);
+    for (const auto& [x, y, z, origin] : maps) {
+        const float columns[] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, origin.x, origin.y, origin.z};
+        RTCGeometry instance = geometry(RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(instance, shared);
+        rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+        attach(instance);
+    }
+    rtcReleaseScene(shared);
 }
 
 void embree::add_spheres(std::span<const std::array<float, 4>> spheres) {
@@ -57,10 +81,10 @@ void embree::add_spheres(std::span<const std::array<float, 4>> spheres) {
     attach(points);
 }
 
-void embree::attach(RTCGeometry geometry) {
+void embree::attach(RTCGeometry geometry, RTCScene to) const {
     rtcSetGeometryBuildQuality(geometry, quality_);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
+    rtcAttachGeometry(to, geometry);
     rtcReleaseGeometry(geometry);
 }
 

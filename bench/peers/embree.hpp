@@ -11,11 +11,12 @@
 #include <vector>
 
 #include <raio/aabb.hpp>
+#include <raio/math/transform.hpp>
 #include <raio/ray.hpp>
 
 /// \file
-/// Embree 3, one ray at a time and sixteen side by side: the triangles of a mesh, its own spheres, and whatever has a
-/// test in plain floats, as its user geometry.
+/// Embree 3, one ray at a time and sixteen side by side: the triangles of a mesh, instances of one, its own spheres,
+/// and whatever has a test in plain floats, as its user geometry.
 
 namespace peers {
 
@@ -39,6 +40,10 @@ public:
     embree& operator=(const embree&) = delete;
 
     void add_triangles(std::span<const vec3> vertices, std::span<const index3> triangles);
+
+    /// The same mesh once for each map, which instances share.
+    void add_instances(std::span<const vec3> vertices, std::span<const index3> triangles,
+                       std::span<const raio::transform<float>> maps);
 
     /// Embree's own spheres: centre and radius.
     void add_spheres(std::span<const std::array<float, 4>> spheres);
@@ -94,11 +99,15 @@ private:
     template <class Kernel>
     struct user_geometry;
 
+    RTCScene new_scene() const;
     RTCGeometry geometry(RTCGeometryType type) const { return rtcNewGeometry(device_, type); }
-    void attach(RTCGeometry geometry);
+    RTCGeometry mesh(std::span<const vec3> vertices, std::span<const index3> triangles);
+    void attach(RTCGeometry geometry, RTCScene to) const;
+    void attach(RTCGeometry geometry) const { attach(geometry, scene_); }
 
     std::atomic<std::int64_t> bytes_ = 0;  // every thread of Embree counts
     RTCBuildQuality quality_;
+    bool robust_;
     RTCDevice device_;
     RTCScene scene_;
     // What Embree reads where it lies, and what the callbacks read.
