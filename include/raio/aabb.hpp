@@ -73,13 +73,14 @@ RAIO_FN constexpr aabb<T> padded(const aabb<T>& box) {
 }
 
 /// How far a disc reaches along each axis: the radius times the sine of the angle between the axis and the normal.
-/// Nowhere, if there is no normal.
+/// Nowhere, if there is no normal. The same bits from every build, which a point may be put back to.
 template <real T>
 RAIO_FN constexpr vec3<T> disc_reach(const vec3<T>& normal, const T& radius) {
-    vec3<T> n = scaled_into_range<T>(normal), n2 = n * n;
-    const T over = quotient(T(1), n2.x + n2.y + n2.z, T(0));
-    vec3<T> sines(sqrt((n2.y + n2.z) * over), sqrt((n2.z + n2.x) * over), sqrt((n2.x + n2.y) * over));
-    return sines * (radius * T(1 + 8 * unit_roundoff<T>));
+    using W = working_t<T>;
+    vec3<W> n = scaled_into_range<T>(vec3<W>(normal)), n2 = n * n;
+    const W over = quotient(W(1), n2.x + n2.y + n2.z, W(0)), reach = W(radius) * W(1 + 8 * unit_roundoff<T>);
+    vec3<W> sines(sqrt((n2.y + n2.z) * over), sqrt((n2.z + n2.x) * over), sqrt((n2.x + n2.y) * over));
+    return vec3<T>(sines * reach);
 }
 
 /// The everything box, of shapes without end.

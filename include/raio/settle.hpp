@@ -185,23 +185,12 @@ template <real R, real T, real N>
     rec.uv = {number_or_0(rec.uv.x), number_or_0(rec.uv.y)};
 }
 
-template <class Shape, real T, real N>
-[[gnu::noinline]] RAIO_FN constexpr void put_within_bounds(const Shape& shape, hit_record<T, N>& rec) {
-    rec.point = nearest_in(shape.bounds(), rec.point);
-}
-
 /// What the shape records of a crossing. Where its numbers are so uneven that no normal is left of them, that is
-/// against the ray; and what is left of uv is 0. Where the last precision does not know t well, of a ray that grazes a
-/// tip or a rim, the point may have come to lie beyond the bounds.
-template <class Shape, real R, class W, real T, real N>
-RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const crossing<W>& crossing,
-                              hit_record<T, N>& rec) {
+/// against the ray; and what is left of uv is 0.
+template <class Shape, real R, class Crossing, real T, real N>
+RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
     shape.surface(ray, crossing, rec);
     if (!all(rec.normal.x == rec.normal.x)) put_against(ray, rec);
-    if constexpr (std::same_as<W, double_double> && requires { shape.bounds(); }) {
-        constexpr double rounding = (1 + 0x1p-7) * unit_roundoff<T>;  // `padded` has room for that 128th
-        if (any(norm1(rec.error) > norm1(rec.point) * T(rounding))) put_within_bounds(shape, rec);
-    }
 }
 
 }  // namespace detail
@@ -282,6 +271,17 @@ RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit
     rec.error = {min(most, error.x), min(most, error.y), min(most, error.z)};  // `most` also for what is not a number
     rec.index = index_t<T>{};
     rec.front_face = c.entering;
+}
+
+/// Keeps a recorded point within the bounds: that of a ray that grazes a tip, where W, as the last precision, does not
+/// know t well, may have come to lie beyond them.
+/// \param bounds  answers with them, to be asked only then
+template <class W, real T, real N, class Bounds>
+RAIO_FN constexpr void keep_in_bounds([[maybe_unused]] hit_record<T, N>& rec, [[maybe_unused]] Bounds bounds) {
+    if constexpr (std::same_as<W, double_double>) {
+        constexpr double rounding = (1 + 0x1p-7) * unit_roundoff<T>;  // `padded` has room for that 128th
+        if (norm1(rec.error) > norm1(rec.point) * T(rounding)) rec.point = nearest_in(bounds(), rec.point);
+    }
 }
 
 /// Records a point that lies between corners: seen edge-on or from far away, the computed one may lie beyond them.

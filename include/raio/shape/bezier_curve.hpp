@@ -175,6 +175,7 @@ struct bezier_curve {
         const aabb<T> box = around_controls();
         const T size = norm1(vec3<T>(box.max - box.min));
         record_gradient(ray, c, from_center, size, rec);
+        keep_in_bounds<W>(rec, [this] { return bounds(); });
         rec.error += vec3<T>(T(0x1p-60) * size);  // from where on s is certain, of a curve of 2^-30 of its length
 
         vec3<Q> onwards(scaled_into_range<Q>(vec3<Q>(ahead))), outward(from_center);
