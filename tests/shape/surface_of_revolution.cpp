@@ -105,6 +105,12 @@ struct subject<lone_segment<T>> : revolved_subject<lone_segment<T>, segment_prof
         const auto [from, to] = segment_profile::ends(s);
         return from + (to - from) * h + random.perpendicular(to_double(s.axis)) * segment_profile::radius(s, h);
     }
+    static bool lies_in_side(const lone_segment<oracle>& s, const ray<oracle>& r) {
+        if (s.from_height == s.to_height) return false;
+        const open_frustum<oracle> side{s.base + s.axis * s.from_height, s.base + s.axis * s.to_height, s.from_radius,
+                                        s.to_radius};
+        return frustum_subject<open_frustum<T>>::lies_in_side(side, r);
+    }
     static lone_segment<oracle> grown(lone_segment<oracle> s) {
         const oracle more(1e-40), height = (s.to_height - s.from_height) * more;
         if (height == 0) {
