@@ -18,6 +18,14 @@ namespace raio {
 
 namespace detail {
 
+/// An end of a window of T, so far out that no exact t from beyond is rounded into the window.
+/// \param sign  -1 for the lower end, 1 for the upper one
+template <class W, real T>
+RAIO_FN constexpr W widened(const T& end, double sign) {
+    if (!is_finite(end)) return W(end);
+    return W(end) + W(sign) * (abs(W(end)) * W(2 * unit_roundoff<T>) + W(least_normal<T>));
+}
+
 /// Is the crossing in [t_min, t_max], once it is rounded to T?
 template <real T, class W>
 RAIO_FN constexpr mask_t<T> in_window(const crossing<W>& c, T t_min, T t_max) {

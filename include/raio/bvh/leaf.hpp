@@ -160,15 +160,12 @@ public:
         using S = scalar_t<W>;
         const block& b = blocks_[i];
         const ray<W> in_every_lane{vec3<W>(vec3<S>(along.origin)), vec3<W>(vec3<S>(along.direction))};
-        const S from = t_min, to = std::min(t_max, std::numeric_limits<T>::max());  // what is at infinity is missed
-        // What is found in more digits than T has may be rounded into the window.
-        constexpr bool rounds = !std::same_as<S, T>;
-        constexpr double part = rounds ? 2 * unit_roundoff<T> : 0, least = rounds ? least_normal<T> : 0;
-        const S before = abs(from) * S(part) + S(least), behind = abs(to) * S(part) + S(least);
-        findings<T, lanes> found =
-            judge<T>(crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), in_every_lane,
-                                                       W(from - before), W(to + behind)),
-                     W(from), W(to));
+        t_max = std::min(t_max, std::numeric_limits<T>::max());  // what is at infinity is missed
+        S from = t_min, to = t_max;
+        if constexpr (!std::same_as<S, T>) from = widened<S>(t_min, -1), to = widened<S>(t_max, 1);
+        findings<T, lanes> found = judge<T>(
+            crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), in_every_lane, W(from), W(to)),
+            W(t_min), W(t_max));
         constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - lanes);
         if (((found.sure | found.open) & all) != 0) {
             const std::uint32_t used = b.used();

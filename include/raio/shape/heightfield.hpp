@@ -120,12 +120,8 @@ private:
         const bool along_x = abs(ray.direction.x) >= abs(ray.direction.y);
         const glm::length_t a = along_x ? 0 : 1, b = along_x ? 1 : 0;
         const W a_from(ray.origin[a]), a_speed(ray.direction[a]), none(0), slack(8 * unit_roundoff<W>);
-        // An exact t beyond the window may be rounded into it.
-        const auto widened = [](T t, double sign) {
-            return is_finite(t) ? W(t) + W(sign) * (abs(W(t)) * W(2 * unit_roundoff<T>) + W(least_normal<T>)) : W(t);
-        };
-        const W earliest = widened(t_min, -1);
-        W latest = widened(t_max, 1);
+        const W earliest = detail::widened<W>(t_min, -1);
+        W latest = detail::widened<W>(t_max, 1);
 
         // Between which coordinates the ray may be from one t to another.
         const auto reach = [&](glm::length_t axis, const W& from, const W& to) {
@@ -164,7 +160,7 @@ private:
                                   cell = row * cells(0) + column;
                 if (passes(row * columns + column, height)) continue;
                 visit(2 * cell);
-                latest = raio::min(latest, widened(visit(2 * cell + 1), 1));
+                latest = raio::min(latest, detail::widened<W>(visit(2 * cell + 1), 1));
             }
         }
     }
