@@ -114,8 +114,46 @@ TEST_CASE_TEMPLATE("leaf_blocks: shapes with their ids, each once, and nothing i
     leaves.set(1, 0, sphere<T>{{0, 0, -9}, T(0.5)});
     CHECK(leaves.shape(1, 0).center == vec3<T>(0, 0, -9));
     CHECK(leaves.find(1, r, T(6), infinity<T>).sure == 1);
-    const auto unknown = detail::open_lanes(leaves, 0);
-    CHECK((unknown.sure == 0 && unknown.open == 3));
+}
+
+TEST_CASE_TEMPLATE("leaf_blocks: which boxes a ray of more digits comes near", T, RAIO_NUMBERS) {
+    detail::leaf_blocks<sphere<T>> leaves;
+    const detail::leaf_range ranges[] = {{0, 3}};
+    const std::uint32_t ids[] = {0, 1, 2};
+    leaves.resize(ranges);
+    leaves.fill(0, ids, [](std::uint32_t id) { return sphere<T>{{4 * T(id), 0, 0}, 1}; });
+    const auto near = [&](const vec3<double>& origin, const vec3<double>& direction, T t_min = 0,
+                          T t_max = infinity<T>) {
+        return leaves.near(0, ray<double_double>{vec3<double_double>(origin), vec3<double_double>(direction)}, t_min,
+                           t_max);
+    };
+    CHECK(near({-2, 0, 0}, {1, 0, 0}) == 7);
+    CHECK(near({-2, 0, 0}, {1, 0, 0}, 0, 5.5) == 3);
+    CHECK(near({-2, 0, 0}, {1, 0, 0}, 4) == 6);
+    CHECK(near({4, 0, 5}, {0, 0, -1}) == 2);  // two components are zero
+    CHECK(near({3, 0, 5}, {0, 0, -1}) == 2);  // in a side of the box
+    CHECK(near({3 - 1e-18, 0, 5}, {0, 0, -1}) == 2);
+    CHECK(near({2, 0, 5}, {0, 0, -1}) == 0);
+    CHECK(near({4, 0, 5}, {0, 0, 1}) == 0);
+    CHECK(near({4, 0, 5}, {0, 0, 1}, -infinity<T>) == 2);
+    CHECK(near({-3, -3, 3}, {4, 3, -3}) == 1);
+    CHECK(near({2, 0, 5}, {0, 0, -0x1p-200}) == 7);  // out of range: whoever knows it is asked
+
+    // Whatever is hit, from wherever, the ray comes near it.
+    random_numbers random(3);
+    int hits = 0;
+    for (int i = 0; i < at_least(20'000); ++i) {
+        const vec3<double> aim(random.uniform(-2, 10), random.uniform(-1, 1), random.uniform(-1, 1));
+        const vec3<double> from = aim + random.direction() * random.log_uniform(0.01, 1e6);
+        const ray<double_double> r{vec3<double_double>(from), vec3<double_double>(aim - from)};
+        const std::uint32_t met = leaves.near(0, r, T(0), infinity<T>);
+        for (unsigned lane = 0; lane < 3; ++lane) {
+            const bool hit = any_hit(leaves.shape(0, lane), r, T(0), infinity<T>);
+            hits += hit ? 1 : 0;
+            REQUIRE((!hit || (met >> lane & 1) != 0));
+        }
+    }
+    CHECK(hits > 5'000);
 }
 
 TEST_CASE("judge: what double finds, for floats, is rounded to them before it counts") {
@@ -183,8 +221,7 @@ TEST_CASE_TEMPLATE("leaf_list: shapes with their ids, each a leaf", T, RAIO_NUMB
     }
     leaves.set(0, 0, shape_of(9));
     CHECK((leaves.shape(0, 0).planes.size() == 9 && leaves.shape(1, 0).planes.size() == 5));
-    const auto unknown = detail::open_lanes(leaves, 0);
-    CHECK((unknown.sure == 0 && unknown.open == 1));
+    CHECK(leaves.near(0, ray<T>{}, T(0), T(1)) == 1);
 }
 
 }  // namespace raio::test

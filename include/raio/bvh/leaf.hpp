@@ -176,6 +176,25 @@ public:
         return found;
     }
 
+    /// The lanes whose boxes the ray may meet in the window: what packs know of one with more digits.
+    template <real R>
+    std::uint32_t near(std::uint32_t i, const ray<R>& along, T t_min, T t_max) const {
+        using W = pack<T, lanes>;
+        const block& b = blocks_[i];
+        const aabb<W> box = b.shapes.shapes().bounds();
+        const vec3<T> origin(along.origin), direction(along.direction);
+        const T length = norm1(direction);
+        W entry(widened<T>(t_min, -1)), exit(widened<T>(t_max, 1)), reach(norm1(origin));
+        reach += max(norm1(abs(box.min)), norm1(abs(box.max)));
+        if (!all(slab_numbers<W>::fits(W(length), reach))) return b.used();
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const slab_numbers<W> slabs(W(origin[axis]), W(direction[axis]), W(length), reach);
+            const W low = box.min[axis] * slabs.over_direction, high = box.max[axis] * slabs.over_direction;
+            entry = max(entry, min(low, high) - slabs.enter), exit = min(exit, max(low, high) - slabs.leave);
+        }
+        return b.used() & bits(entry <= exit);
+    }
+
 private:
     static constexpr std::uint32_t no_id = ~std::uint32_t{0};
 
@@ -209,6 +228,10 @@ public:
     }
 
     static std::uint32_t used(std::uint32_t) { return 1; }
+    template <real R>
+    static std::uint32_t near(std::uint32_t, const ray<R>&, T, T) {
+        return 1;
+    }
     std::uint32_t id(std::uint32_t i, unsigned) const { return ids_[i]; }
     const Shape& shape(std::uint32_t i, unsigned) const { return *shapes_[i]; }
     void set(std::uint32_t i, unsigned, const Shape& shape) { shapes_[i] = shape; }
@@ -217,12 +240,6 @@ private:
     std::vector<std::optional<Shape>> shapes_;  // not every shape can be empty; all of these are set by `fill`
     std::vector<std::uint32_t> ids_;
 };
-
-/// All lanes of a leaf, with nothing found out about them.
-template <class Leaves>
-findings<typename Leaves::T, Leaves::lanes> open_lanes(const Leaves& leaves, std::uint32_t i) {
-    return {0, leaves.used(i), {}, {}};
-}
 
 template <class Shape>
 using leaves_of = std::conditional_t<gatherable<Shape>, leaf_blocks<Shape>, leaf_list<Shape>>;

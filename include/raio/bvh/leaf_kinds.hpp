@@ -21,14 +21,15 @@ public:
         leaves.find(0, ray, 0, 0);
     };
 
-    /// What packs say of the shapes of a leaf; nothing, if they do not know.
+    /// What packs say of the shapes of a leaf; if they do not know, all lanes are open that the ray comes near.
     template <std::size_t Kind, class T, class R>
     auto find(std::uint32_t i, const ray<R>& ray, T t_min, T t_max) const {
         const auto& leaves = std::get<Kind>(all);
         if constexpr (filters<Kind, R>) {
             return leaves.find(i, ray, t_min, t_max);
         } else {
-            return open_lanes(leaves, i);
+            return findings<T, std::remove_cvref_t<decltype(leaves)>::lanes>{
+                .sure = 0, .open = leaves.near(i, ray, t_min, t_max), .low = {}, .high = {}};
         }
     }
 

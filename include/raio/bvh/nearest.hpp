@@ -25,9 +25,10 @@ public:
         if constexpr (Leaves::template filters<Kind, R>) {
             sift<Kind>(block);
         } else {
-            // Nothing is quicker than to ask. So that is done at once: what is found shortens the way.
-            for (std::uint32_t left = std::get<Kind>(leaves_.all).used(block); left != 0; left &= left - 1) {
-                settle<Kind>(place_of<Kind>(block, static_cast<unsigned>(std::countr_zero(left))));
+            // Nobody knows but the plain shapes. They are asked at once: what is found shortens the way.
+            auto found = leaves_.template find<Kind>(block, ray_, t_min_, high_);
+            for (; found.open != 0; found.open &= found.open - 1) {
+                settle<Kind>(place_of<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open))));
             }
         }
     }

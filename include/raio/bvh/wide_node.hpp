@@ -90,8 +90,9 @@ struct slab_numbers {
     }
 
     /// Out of range the formula is no good. What is not a number is out of range.
-    static bool fits(float length, float reach) {
-        return length > 0x1p-90f && length < 0x1p100f && reach < length * 0x1p90f;
+    template <class Number>
+    static auto fits(const Number& length, const Number& reach) {
+        return every(length > Number(0x1p-90f), length < Number(0x1p100f), reach < length * Number(0x1p90f));
     }
 };
 
