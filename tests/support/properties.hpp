@@ -191,7 +191,8 @@ template <class Shape>
 bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec) {
     const auto exact_shape = converted<oracle>(shape);
     const vec3<oracle> inwards = converted<oracle>(rec.normal) * oracle(rec.front_face ? -1 : 1);
-    // A face that is hit has no error across it, but a spawned ray leaves it by two numbers.
+    // A face that is hit has no error across it, but a spawned ray leaves it by two numbers. At an edge, however
+    // obtuse, another face is nearer than that; the 100th is for distances that are so to first order only.
     const oracle depth = 4 * oracle(norm1(rec.error)) + 8 * unit_roundoff<number_t<Shape>> * oracle(norm1(rec.point));
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     const auto point = converted<oracle>(rec.point);

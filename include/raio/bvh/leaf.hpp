@@ -161,7 +161,7 @@ public:
         const block& b = blocks_[i];
         const ray<W> in_every_lane{vec3<W>(vec3<S>(along.origin)), vec3<W>(vec3<S>(along.direction))};
         t_max = std::min(t_max, std::numeric_limits<T>::max());  // what is at infinity is missed
-        S from = t_min, to = t_max;
+        S from = t_min, to = t_max;  // more digits than T has may be rounded into the window
         if constexpr (!std::same_as<S, T>) from = widened<S>(t_min, -1), to = widened<S>(t_max, 1);
         findings<T, lanes> found = judge<T>(
             crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), in_every_lane, W(from), W(to)),

@@ -105,7 +105,8 @@ struct algebraic {
             crossing<W> on_box = c;
             on_box.face = c.entering ? clip.near.face : clip.far.face;
             box.surface(ray, on_box, rec);
-            // The point is on the face without any error; but what leaves it has to be certain that it is not on f.
+            // The point is on the face without any error; but what leaves it has to be certain in double_double that it
+            // is not on f, for which `record_point` asks as much.
             rec.error += vec3<T>(norm1(max - min) * T(0x1p-88));
             return;
         }
