@@ -13,7 +13,7 @@ sys.dont_write_bytecode = True  # no folder of compiled modules among the source
 import tables
 
 LEFT, BAR, GAP, WIDTH = 250, 14, 14, 760
-COLORS = {"hit": "#b5453c", "occluded": "#dd8f6e"}
+COLORS = {"hit": "#b5453c", "occluded": "#dd8f6e", "hit_in_packs": "#7d2f55", "occluded_in_packs": "#b07a98"}
 PEER = "#9aa5b1"
 
 

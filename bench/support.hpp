@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <raio/concepts.hpp>
+#include <raio/bvh/gather.hpp>
 
 /// \file
 /// What every benchmark shares: the rays, the loop, and the names that the results go by.
@@ -86,8 +86,11 @@ struct hit {
     using result = raio::hit_record<T>;
     Shape shape;
 
-    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result& rec) const {
+    static auto ask(const Shape& shape, const raio::ray<T>& ray, T t_min, T t_max, result& rec) {
         return shape.hit(ray, t_min, t_max, rec);
+    }
+    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result& rec) const {
+        return ask(shape, ray, t_min, t_max, rec);
     }
 };
 
@@ -98,8 +101,11 @@ struct occluded {
     struct result {};
     Shape shape;
 
-    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result&) const {
+    static auto ask(const Shape& shape, const raio::ray<T>& ray, T t_min, T t_max, result&) {
         return shape.occluded(ray, t_min, t_max);
+    }
+    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result& found) const {
+        return ask(shape, ray, t_min, t_max, found);
     }
 };
 
@@ -137,25 +143,85 @@ void measure(benchmark::State& state, const trials_of<Shape>& trials) {
     state.counters["hits"] = 100.0 * static_cast<double>(hits) / static_cast<double>(trial_count);
 }
 
+/// The same calls, with as many of the pairs at a time as registers have lanes.
+template <class Shape>
+class packs_of_trials {
+public:
+    using T = raio::number_t<Shape>;
+    using P = raio::pack<T>;
+    using packed = raio::detail::rebind_t<Shape, P>;
+    static constexpr std::size_t count = trial_count / P::lanes;
+
+    explicit packs_of_trials(const trials_of<Shape>& trials) : packs_(count) {
+        for (std::size_t i = 0; i < trial_count; ++i) {
+            trial<raio::detail::gathered_numbers<Shape, P::lanes>, P>& to = packs_[i / P::lanes];
+            to.asked.set(i % P::lanes, trials[i].asked);
+            raio::detail::set_lane(to.ray.origin, i % P::lanes, trials[i].ray.origin);
+            raio::detail::set_lane(to.ray.direction, i % P::lanes, trials[i].ray.direction);
+        }
+    }
+
+    const packed& shapes(std::size_t i) const { return packs_[i].asked.shapes(); }
+    const raio::ray<P>& rays(std::size_t i) const { return packs_[i].ray; }
+
+private:
+    std::vector<trial<raio::detail::gathered_numbers<Shape, P::lanes>, P>> packs_;
+};
+
+/// \tparam Call  `hit` or `occluded`
+template <template <class> class Call, class Shape>
+void measure_packs(benchmark::State& state, const trials_of<Shape>& trials) {
+    using packs = packs_of_trials<Shape>;
+    using T = typename packs::T;
+    using P = typename packs::P;
+    const packs own(trials);
+    volatile T from(0), to = raio::infinity<T>;
+    const P t_min(from), t_max(to);
+    typename Call<typename packs::packed>::result result{};
+    generator random;
+    for (auto _ : state) {
+        const std::size_t stride = 2 * random.below(packs::count) + 1;
+        for (std::size_t i = 0; i < packs::count; ++i) {
+            const std::size_t at = i * stride % packs::count;
+            const auto answer = Call<typename packs::packed>::ask(own.shapes(at), own.rays(at), t_min, t_max, result);
+            benchmark::DoNotOptimize(answer);
+            benchmark::DoNotOptimize(std::as_const(result));
+        }
+    }
+    const double tests = static_cast<double>(state.iterations()) * static_cast<double>(trial_count);
+    using benchmark::Counter;
+    state.SetItemsProcessed(static_cast<std::int64_t>(tests));
+    state.counters["test"] = Counter(tests, Counter::kIsRate | Counter::kInvert);
+    constexpr bool has_normal = requires(decltype(result) r) { r.normal; };
+    state.counters["record"] = has_normal ? 1 : 0;
+    state.counters["lanes"] = static_cast<double>(P::lanes);
+}
+
 template <class T>
 inline constexpr const char* number_name = "float";
 template <>
 inline constexpr const char* number_name<double> = "double";
 
-/// Registers SHAPE/CALL/NUMBER/PERCENT for the shape's own two calls and for each of the peers, at 0, 50 and 100 %
-/// hits.
+/// Registers SHAPE/CALL/NUMBER/PERCENT for the shape's own two calls, for the same in packs if it has a shape of packs,
+/// and for each of the peers, at 0, 50 and 100 % hits.
 template <class Shape, class... Peers, class MakeShape>
 void add(const std::string& shape_name, MakeShape make_shape) {
     for (const std::size_t hit_percent : {0u, 50u, 100u}) {
         const auto trials = make_trials<Shape>(make_shape, hit_percent);
+        const auto add_as = [&](const std::string& call, auto measured) {
+            const std::string name =
+                shape_name + '/' + call + '/' + number_name<raio::number_t<Shape>> + '/' + std::to_string(hit_percent);
+            benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { measured(state, trials); });
+        };
         const auto add_one = [&]<class Contender>(std::type_identity<Contender>) {
-            const std::string name = shape_name + '/' + Contender::name + '/' + number_name<raio::number_t<Shape>> +
-                                     '/' + std::to_string(hit_percent);
-            benchmark::RegisterBenchmark(
-                name.c_str(), [trials](benchmark::State& state) { measure<Contender, Shape>(state, trials); });
+            add_as(Contender::name, measure<Contender, Shape>);
         };
         add_one(std::type_identity<hit<Shape>>{});
         add_one(std::type_identity<occluded<Shape>>{});
+        if constexpr (raio::detail::gatherable_as<Shape, raio::pack<raio::number_t<Shape>>>) {
+            add_as("hit_in_packs", measure_packs<hit, Shape>);
+            add_as("occluded_in_packs", measure_packs<occluded, Shape>);
+        }
         (add_one(std::type_identity<Peers>{}), ...);
     }
 }

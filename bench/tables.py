@@ -3,6 +3,8 @@
 NUMBERS = ("float", "double")
 PERCENTS = ("0", "50", "100")
 
+OURS = ("hit", "occluded", "hit_in_packs", "occluded_in_packs")
+
 # (shape, peer, the peer's number type or None for the shape's own): what `hit` shall be no slower than
 BAR = (("sphere", "one_weekend", "double"), ("sphere", "next_week", "double"), ("triangle", "glm", None),
        ("plane", "glm", None))
@@ -45,16 +47,18 @@ def markdown(results):
     def ratio_to(peer, peer_number=None):
         return lambda ns, key: ns / measured[key[0], peer, peer_number or key[2], key[3]][0]
 
-    bar = [[shape, f"`{peer}`" + (f" in {number}" if number else "")]
-           + list(cells(measured, shape, "hit", ratio_to(peer, number)))
-           for shape, peer, number in BAR if shape in shapes]
+    def bar(call):
+        return [[shape, f"`{peer}`" + (f" in {number}" if number else "")]
+                + list(cells(measured, shape, call, ratio_to(peer, number)))
+                for shape, peer, number in BAR if shape in shapes]
+
     ratios, times = [], []
     for shape in shapes:
         for call in calls(measured, shape):
             returns_normal = measured[shape, call, "float", "50"][1]
-            name = f"**{call}**" if call in ("hit", "occluded") else f"`{call}`"
+            name = f"**{call}**" if call in OURS else f"`{call}`"
             times.append([shape, name] + list(cells(measured, shape, call)))
-            if call in ("hit", "occluded"):
+            if call in OURS:
                 continue
             ours = "hit" if returns_normal else "occluded"
             ratios.append([shape, f"{ours} / `{call}`"] + list(cells(measured, shape, ours, ratio_to(call))))
@@ -64,7 +68,9 @@ def markdown(results):
     return "\n\n".join([
         f"{context['num_cpus']} cores at {context['mhz_per_cpu'] / 1000:.1f} GHz, {context['date'][:10]}.",
         "`hit`, with its record filled, over the peers that it shall not be slower than:",
-        table(["shape", "peer"] + columns, bar),
+        table(["shape", "peer"] + columns, bar("hit")),
+        "The same in packs, as many tests at a time as registers have lanes (`hit_in_packs`), over the same peers:",
+        table(["shape", "peer"] + columns, bar("hit_in_packs")),
         "`hit` over the peers that find a normal, `occluded` over those that do not:",
         table(["shape", "ratio"] + columns, ratios),
         "Nanoseconds per test:",

@@ -117,12 +117,12 @@ RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, co
     vec3<W> axis = difference_as<W>(top, base), from_base = seen_from(base, ray, c.t);
     W height = dot(from_base, axis) / dot(axis, axis);
     vec3<W> across = from_base - axis * height;
-    const mask_t<T> side = c.face == index_t<T>(0), low = c.face == index_t<T>(1);
+    const mask_t<W> side = c.face == index_t<W>(0), low = c.face == index_t<W>(1);
     vec3<Q> up = scaled_into_range<T>(vec3<Q>(axis)), from_axis(across);
     vec3<Q> sideways = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
     vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
     Q steep = length(outward);
-    const mask_t<T> waist = !every(steep > Q(0), is_finite(steep));
+    const mask_t<Q> waist = !every(steep > Q(0), is_finite(steep));
     if (any(waist)) {  // too narrow for a normal, or too wide: it is the axis, against the ray
         const Q turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction)))) * select(c.entering, Q(1), Q(-1));
         outward = select(waist, up * turned, outward), steep = select(waist, length(up), steep);

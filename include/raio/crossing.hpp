@@ -49,11 +49,11 @@ RAIO_FN constexpr bound_t<W> triple_product_bound(const vec3<W>& a, const vec3<W
     }
 }
 
-/// The same bound for what is near zero where rays start on the surface: packs take it as tight as it gets, or all that
-/// start there would have to be asked for again.
+/// The same bound for what is near zero where rays start on the surface: packs that sieve take it as tight as it gets,
+/// or all that start there would have to be asked for again.
 template <class W>
 RAIO_FN constexpr bound_t<W> closest_triple_product_bound(const vec3<W>& a, const vec3<W>& b, const vec3<W>& c) {
-    if constexpr (std::same_as<mask_t<W>, bool>) {
+    if constexpr (!only_sieves<W>) {
         return triple_product_bound(a, b, c);
     } else {
         return with_underflow<W>(permanent(a, b, c) + with_underflow<W>(W(0)) * norm1(a));

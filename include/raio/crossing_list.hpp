@@ -1,12 +1,10 @@
 #pragma once
 
-#include <raio/lanes.hpp>
 #include <raio/math/polynomial_roots.hpp>
 #include <raio/settle.hpp>
 
 /// \file
-/// More than two crossings of one line, and how they are settled. They are found number by number: shapes of packs go
-/// lane by lane.
+/// More than two crossings of one line, and how they are settled.
 
 namespace raio {
 
@@ -114,18 +112,6 @@ concept lists_crossings = requires(const Shape shape, const ray<R> ray) {
 };
 
 }  // namespace detail
-
-/// `occluded` and `hit` of a shape of packs with such crossings: what the plain shapes in its lanes answer.
-template <detail::has_lanes T, class Shape>
-requires detail::lists_crossings<Shape, T> RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<T>& ray, T t_min,
-                                                                     T t_max) {
-    return detail::any_hit_in_lanes(shape, ray, t_min, t_max);
-}
-template <detail::has_lanes T, class Shape>
-requires detail::lists_crossings<Shape, T> RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<T>& ray, T t_min,
-                                                                       T t_max, hit_record<T>& rec) {
-    return detail::first_hit_in_lanes(shape, ray, t_min, t_max, rec);
-}
 
 /// Where the line is inside a solid: from where it enters to where it leaves next. (Each crossing of a list can be
 /// refined on its own for less than the list takes in double_double. The two ends of a chord cannot.)

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include <raio/hit_record.hpp>
+#include <raio/math/interval.hpp>
 
 /// \file
 /// The lanes of shapes and rays of packs.
@@ -15,7 +16,7 @@ namespace raio::detail {
 
 /// Has a number type more than one lane?
 template <class T>
-concept has_lanes = requires {
+concept has_lanes = real<T> && requires {
     T::lanes;
 };
 
@@ -52,42 +53,114 @@ RAIO_FN auto in_lane(const Packed& packed, std::size_t lane) {
 /// The same, of a shape that knows what stands in its lanes.
 template <class P, class Packed>
 requires requires(const Packed packed) { packed.in_lane(0); }
-RAIO_FN const auto& in_lane(const Packed& packed, std::size_t lane) { return packed.in_lane(lane); }
+RAIO_FN decltype(auto) in_lane(const Packed& packed, std::size_t lane) { return packed.in_lane(lane); }
+
+/// The same, but packed as many times over as P has lanes.
+template <class P, class From, class Packed>
+RAIO_FN auto spread(const Packed& packed, std::size_t lane) {
+    static_assert(aggregate_of_packs<Packed, From>, "raio: only an aggregate of numbers can be one of packs");
+    rebind_t<Packed, P> same;
+    for (std::size_t k = 0; k < sizeof(Packed) / sizeof(From); ++k) {
+        scalar_t<P> number;
+        std::memcpy(&number, reinterpret_cast<const std::byte*>(&packed) + k * sizeof(From) + lane * sizeof(number),
+                    sizeof(number));
+        const P numbers(number);
+        std::memcpy(reinterpret_cast<std::byte*>(&same) + k * sizeof(P), &numbers, sizeof(P));
+    }
+    return same;
+}
 
 template <has_lanes P>
 RAIO_FN void set_lane(vec3<P>& to, std::size_t lane, const vec3<scalar_t<P>>& from) {
     to.x.set(lane, from.x), to.y.set(lane, from.y), to.z.set(lane, from.z);
 }
 
-/// `occluded` of a shape of packs whose formula takes another course for each number: lane by lane.
-template <has_lanes P, class Packed>
-RAIO_FN mask_t<P> any_hit_in_lanes(const Packed& packed, const ray<P>& ray, const P& t_min, const P& t_max) {
-    P found(0);
-    for (std::size_t lane = 0; lane < P::lanes; ++lane) {
-        const bool hit = in_lane<P>(packed, lane).occluded(in_lane<P>(ray, lane), t_min[lane], t_max[lane]);
-        found.set(lane, hit ? 1 : 0);
-    }
-    return found > P(0);
+/// Takes `from` over into a lane of `to`, but for the side: whether it is the front is said by 1 and 0.
+template <has_lanes P, has_lanes N>
+RAIO_FN void set_lane(hit_record<P, N>& to, P& front, std::size_t lane,
+                      const hit_record<scalar_t<P>, scalar_t<N>>& from) {
+    to.t.set(lane, from.t), to.index.set(lane, from.index), front.set(lane, from.front_face ? 1 : 0);
+    set_lane(to.point, lane, from.point), set_lane(to.normal, lane, from.normal), set_lane(to.error, lane, from.error);
+    to.uv.x.set(lane, from.uv.x), to.uv.y.set(lane, from.uv.y);
 }
 
-/// `hit`, likewise.
-template <has_lanes P, class Packed>
-RAIO_FN mask_t<P> first_hit_in_lanes(const Packed& packed, const ray<P>& ray, const P& t_min, const P& t_max,
-                                     hit_record<P>& rec) {
-    P found(0), front(0);
-    hit_record<P> candidate;
+/// What is recorded in one lane.
+template <has_lanes P>
+RAIO_FN hit_record<scalar_t<P>> in_lane(const hit_record<P>& rec, std::size_t lane) {
+    const auto of = [&](const vec3<P>& v) { return vec3<scalar_t<P>>(v.x[lane], v.y[lane], v.z[lane]); };
+    return {rec.t[lane],         of(rec.point),
+            of(rec.normal),      {rec.uv.x[lane], rec.uv.y[lane]},
+            of(rec.error),       static_cast<std::uint32_t>(rec.index[lane]),
+            rec.front_face[lane]};
+}
+
+/// Calls `ask` with the plain shape and the plain ray of each lane that has its bit set, and with its number. Answers
+/// for which it was true.
+template <has_lanes P, class Packed, class R, class Ask>
+RAIO_FN mask_t<P> ask_lanes(std::uint32_t which, const Packed& packed, const ray<R>& ray, Ask ask) {
+    P yes(0);
     for (std::size_t lane = 0; lane < P::lanes; ++lane) {
-        hit_record<scalar_t<P>> own;
-        if (!in_lane<P>(packed, lane).hit(in_lane<P>(ray, lane), t_min[lane], t_max[lane], own)) continue;
-        found.set(lane, 1), front.set(lane, own.front_face ? 1 : 0);
-        candidate.t.set(lane, own.t), candidate.index.set(lane, own.index);
-        set_lane(candidate.point, lane, own.point), set_lane(candidate.normal, lane, own.normal);
-        set_lane(candidate.error, lane, own.error);
-        candidate.uv.x.set(lane, own.uv.x), candidate.uv.y.set(lane, own.uv.y);
+        if ((which >> lane & 1) != 0 && ask(in_lane<P>(packed, lane), in_lane<R>(ray, lane), lane)) yes.set(lane, 1);
     }
-    candidate.front_face = front > P(0);
-    assign(found > P(0), rec, candidate);
-    return found > P(0);
+    return yes > P(0);
+}
+
+template <has_lanes P>
+inline constexpr std::uint32_t every_lane = ~std::uint32_t{0} >> (32 - P::lanes);
+
+/// `occluded` of the plain shapes in these lanes.
+template <has_lanes P, class Packed, class R>
+[[gnu::noinline]] RAIO_FN mask_t<P> any_hit_in_lanes(const Packed& packed, const ray<R>& ray, const P& t_min,
+                                                     const P& t_max, std::uint32_t which = every_lane<P>) {
+    return ask_lanes<P>(which, packed, ray, [&](const auto& shape, const auto& own_ray, std::size_t lane) {
+        if constexpr (requires { shape.occluded(own_ray, t_min[lane], t_max[lane]); }) {
+            return shape.occluded(own_ray, t_min[lane], t_max[lane]);
+        } else {
+            return any_hit(shape, own_ray, t_min[lane], t_max[lane]);
+        }
+    });
+}
+
+/// `hit` of the plain shapes in these lanes.
+template <has_lanes P, class Packed, class R, class N>
+[[gnu::noinline]] RAIO_FN mask_t<P> first_hit_in_lanes(const Packed& packed, const ray<R>& ray, const P& t_min,
+                                                       const P& t_max, hit_record<P, N>& rec,
+                                                       std::uint32_t which = every_lane<P>) {
+    P front(0);
+    const mask_t<P> met =
+        ask_lanes<P>(which, packed, ray, [&](const auto& shape, const auto& own_ray, std::size_t lane) {
+            hit_record<scalar_t<P>, scalar_t<N>> own;
+            bool hit;
+            if constexpr (requires { shape.hit(own_ray, t_min[lane], t_max[lane], own); }) {
+                hit = shape.hit(own_ray, t_min[lane], t_max[lane], own);
+            } else {
+                hit = first_hit(shape, own_ray, t_min[lane], t_max[lane], own);
+            }
+            if (!hit) return false;
+            set_lane(rec, front, lane, own);
+            return true;
+        });
+    rec.front_face = some(every(met, front > P(0)), every(!met, rec.front_face));
+    return met;
+}
+
+/// `spans` of the plain shapes, which are one interval each.
+template <class Packed, has_lanes R>
+RAIO_FN auto spans_in_lanes(const Packed& packed, const ray<R>& ray) {
+    using P = typename Packed::number;
+    interval<P> inside;
+    for (std::size_t lane = 0; lane < P::lanes; ++lane) {
+        const auto shape = in_lane<P>(packed, lane);
+        const auto own_ray = in_lane<R>(ray, lane);
+        interval<scalar_t<P>> own;
+        if constexpr (requires { shape.spans(own_ray); }) {
+            own = shape.spans(own_ray);
+        } else {
+            own = inside_of(shape, own_ray);
+        }
+        inside.min.set(lane, own.min), inside.max.set(lane, own.max);
+    }
+    return inside;
 }
 
 }  // namespace raio::detail

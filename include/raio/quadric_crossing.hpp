@@ -62,7 +62,7 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     // most |d| |A|, and |w| is at most |m| |A| / |d|.
     E d_size = norm1(vec3<E>(d)), axis_size = norm1(vec3<E>(s.axis)), span = d_size * axis_size, area(axis2);
     E m_size = norm1(vec3<E>(m)), m_error = with_underflow<W>(E(4 * u) * far * d_size + E(24 * u) * m_size);
-    E m2_error = (m_size + m_error) * m_error, v(s.v), ratio = v + abs(E(k)), a_size = abs(E(a));
+    E m2_error = with_underflow<W>((m_size + m_error) * m_error), v(s.v), ratio = v + abs(E(k)), a_size = abs(E(a));
     E c0 = abs(E(s.c0)), c1 = abs(E(s.c1)), of_c1 = E(2) * c1 * span * m_error;
     E a_error = with_underflow<W>(E(32 * u) * ratio * E(d2) * area);
     E square_error = with_underflow<W>(area * (v * (E(2) * (v * area + abs(E(s.c2))) * m2_error + of_c1) +
@@ -118,9 +118,10 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
         E change = c_error + reach * ((a_size + a_error) * reach + E(2) * (b_size + b_error));
         const mask_t<W> apart = square < -square_error, touches = square >= -tie<W>(square_error);
         const mask_t<W> finite = every(in_range, is_finite(b_size + abs(E(c)))), steady = abs(E(c)) > change;
-        const mask_t<W> linear = sum_size - sum_error > E(2) * reach * (a_size + a_error);
+        const mask_t<W> linear = every(!plain, sum_size - sum_error > E(2) * reach * (a_size + a_error));
         const mask_t<W> blind = some(a_size <= a_error, every(!apart, of_two >= reach));
-        const mask_t<W> level = some(steady, every(!linear, blind)), steep = every(!level, !linear, a < zero);
+        const mask_t<W> level = every(!plain, some(steady, every(!linear, blind))),
+                        steep = every(!level, !linear, a < zero);
         const mask_t<W> on_axis = s.discriminant >= zero;  // where a line that is steep enough cannot miss it
         hollow = every(steep, some(on_axis, touches));
         everywhere = some(level, every(steep, !hollow));
@@ -141,14 +142,14 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     near = middle + near;
     far_end = middle + far_end;
     error = select(everywhere, E(0), with_underflow<W>(error + E(16 * u) * (far * d_size * over)));
-    if constexpr (std::same_as<mask_t<W>, bool>) {
+    if constexpr (!only_sieves<W>) {
         // Whether the line starts on the surface, its coefficients from the origin on say without a division.
-        const bool near_0 = abs(E(near)) <= error, far_0 = abs(E(far_end)) <= error;
-        if (near_0 || far_0) {
-            const bool starts = s.level(-to_center) == zero;
-            if (near_0 && starts) near = zero;
-            if (far_0 && starts) far_end = zero;
-            if (starts) error = error + error;
+        const mask_t<W> near_0 = abs(E(near)) <= error, far_0 = abs(E(far_end)) <= error, at_0 = some(near_0, far_0);
+        if (any(at_0)) {
+            const mask_t<W> starts = every(at_0, s.level(-to_center) == zero);
+            near = select(every(near_0, starts), zero, near);
+            far_end = select(every(far_0, starts), zero, far_end);
+            error = select(starts, error + error, error);
         }
     }
     return {{{exists, certain, near, error, !hollow}, {exists, certain, far_end, error, hollow}}, hollow};

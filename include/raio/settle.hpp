@@ -1,8 +1,9 @@
 #pragma once
 
-#include <raio/crossing.hpp>
-#include <raio/hit_record.hpp>
+#include <raio/record.hpp>
 #include <raio/refine.hpp>
+#include <raio/settle_lanes.hpp>
+#include <raio/window.hpp>
 
 /// \file
 /// How a crossing is settled beyond doubt, and recorded.
@@ -17,89 +18,6 @@
 namespace raio {
 
 namespace detail {
-
-/// An end of a window of T, so far out that no exact t from beyond is rounded into the window.
-/// \param sign  -1 for the lower end, 1 for the upper one
-template <class W, real T>
-RAIO_FN constexpr W widened(const T& end, double sign) {
-    if (!is_finite(end)) return W(end);
-    return W(end) + W(sign) * (abs(W(end)) * W(2 * unit_roundoff<T>) + W(least_normal<T>));
-}
-
-/// Is the crossing in [t_min, t_max], once it is rounded to T?
-template <real T, class W>
-RAIO_FN constexpr mask_t<T> in_window(const crossing<W>& c, T t_min, T t_max) {
-    const T t = T(c.t);
-    return every(c.exists, t_min <= t, t <= t_max, is_finite(t));
-}
-
-/// The first crossing in the window as W finds it; `exists` says whether there is one.
-template <real T, class W>
-RAIO_FN constexpr crossing<W> first_in_window(crossing<W> c, T t_min, T t_max) {
-    c.exists = in_window(c, t_min, t_max);
-    return c;
-}
-template <real T, class W>
-RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_max) {
-    crossing<W> near = first_in_window(c.near, t_min, t_max);
-    return select(near.exists, near, first_in_window(c.far, t_min, t_max));
-}
-
-/// What is asked of the first crossing: only whether there is one, or also where; or only where, if there is one beyond
-/// doubt.
-enum class question { whether, where, only_where };
-
-/// The crossings of a shape; of one that can find less with less work only what the question wants to know.
-template <class W, question Asked, class Shape, real R, real T>
-RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
-    constexpr bool known = Asked == question::only_where && requires {
-        { shape.template crossings<W>(ray, known_crossing{}) } -> std::same_as<crossing<W>>;
-    };
-    if constexpr (known) {
-        return shape.template crossings<W>(ray, known_crossing{});
-    } else if constexpr (requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
-        return shape.template crossings<W>(ray, first_from<T>{t_min, t_max, Asked == question::whether});
-    } else {
-        return shape.template crossings<W>(ray);
-    }
-}
-
-/// The first crossing that may be in the window as W finds it, and whether exact arithmetic is known to say the same:
-/// the crossing is certain, wherever in its error t is, it lies inside the window, or outside; and if t is asked for,
-/// both ends of the error round to the same.
-template <class W>
-struct verdict {
-    crossing<W> first;
-    bool known;
-};
-
-/// Is t certain to the last bit of T: do both ends of its error round to the same?
-template <real T, class W>
-RAIO_FN constexpr bool rounds_to_one(const crossing<W>& c) {
-    return T(sum_as<W>(-c.error, c.t)) == T(sum_as<W>(c.error, c.t));
-}
-
-template <question Asked, real T, class W>
-RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
-    if constexpr (Asked == question::only_where) {
-        c.exists = true;
-        return {c, every(rounds_to_one<T>(c), is_finite(T(c.t)))};
-    }
-    if (!c.exists) return {c, c.certain};
-    const T low = T(c.t - c.error), high = T(c.t + c.error);
-    const bool inside = every(t_min <= low, high <= t_max, is_finite(high), Asked == question::whether || low == high);
-    const bool outside = some(high < t_min, t_max < low);
-    c.exists = !outside;
-    return {c, every(c.certain, some(inside, outside))};
-}
-template <question Asked, real T, class W>
-RAIO_FN constexpr verdict<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
-    // Of two crossings it has to be found out which one it is.
-    constexpr question asked = Asked == question::whether ? question::whether : question::where;
-    verdict<W> found = settled_in_window<asked>(c.near, t_min, t_max);
-    if (!found.first.exists && found.known) found = settled_in_window<asked>(c.far, t_min, t_max);
-    return found;
-}
 
 /// Is there a quicker precision, and does it hold the numbers of the ray without rounding them?
 template <real T, real R>
@@ -178,29 +96,6 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T
     return settle_closer(shape, ray, t_min, t_max, then);
 }
 
-// Out of line, as what is rare.
-
-template <real T, real N>
-[[gnu::noinline]] RAIO_FN constexpr void put_within_range(hit_record<T, N>& rec) {
-    rec.point = within_range(rec.point);
-}
-
-template <real R, real T, real N>
-[[gnu::noinline]] RAIO_FN constexpr void put_against(const ray<R>& ray, hit_record<T, N>& rec) {
-    const mask_t<N> has_normal = rec.normal.x == rec.normal.x;
-    rec.normal = select(has_normal, rec.normal, -normalize(vec3<N>(ray.direction)));
-    const auto number_or_0 = [](const T& x) { return select(x == x, x, T(0)); };
-    rec.uv = {number_or_0(rec.uv.x), number_or_0(rec.uv.y)};
-}
-
-/// What the shape records of a crossing. Where its numbers are so uneven that no normal is left of them, that is
-/// against the ray; and what is left of uv is 0.
-template <class Shape, real R, class Crossing, real T, real N>
-RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
-    shape.surface(ray, crossing, rec);
-    if (!all(rec.normal.x == rec.normal.x)) put_against(ray, rec);
-}
-
 }  // namespace detail
 
 /// `occluded` of every shape that has `crossings<W>(ray)`, a crossing or a chord: is there one with t in [t_min,
@@ -217,13 +112,7 @@ template <detail::question Asked = detail::question::where, real T, class Shape,
 [[gnu::flatten]] RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
                                                        hit_record<T, N>& rec) {
     return detail::settle<Asked>(shape, ray, t_min, t_max, [&](const auto& crossing) {
-        if constexpr (std::same_as<mask_t<T>, bool>) {
-            if (crossing.exists) detail::record(shape, ray, crossing, rec);
-        } else if (any(crossing.exists)) {
-            hit_record<T, N> candidate;
-            detail::record(shape, ray, crossing, candidate);
-            assign(crossing.exists, rec, candidate);
-        }
+        if (crossing.exists) detail::record(shape, ray, crossing, rec);
         return crossing.exists;
     });
 }
@@ -254,50 +143,6 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
         }
     }
     return between_ends(shape.template crossings<exact_t<T>>(ray));
-}
-
-/// Records what every surface records alike: t, the point, how far that may be off, and the side.
-/// \param bend  the smallest radius at which the surface curves; 0 if it is flat
-template <real T, real N, real R, class W>
-RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec, T bend = T(0)) {
-    rec.t = T(c.t) + T(0);  // never -0
-    rec.point = vec3<T>(sum_as<W>(ray.origin, product_as<W>(ray.direction, c.t)));
-    const T reach = norm1(rec.point);
-    if (!all(is_finite(reach))) detail::put_within_range(rec);
-
-    // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
-    // rounding of the point to T. The smallest normal number stands for all that underflows.
-    constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>, up = 1 + 4 * in_t;
-    const T least(least_normal<T>), most(std::numeric_limits<scalar_t<T>>::max());
-    const T of_t = min(T(c.error + bound_t<W>(least)), most);
-    // A ray that leaves at the angle of the normal's own rounding must not meet a curved surface again, and every
-    // crossing of a point that is off by this much has to be certain in double_double.
-    const T floor = bend * T(4 * in_t * in_t) + (bend + reach) * T(0x1p-88) + least;
-    vec3<T> error = vec3<T>(abs(ray.direction) * R(of_t)) + vec3<T>(abs(ray.origin) * R(in_w));
-    error += abs(rec.point) * T(in_t + in_w);
-    error = error * T(up) + vec3<T>(floor);
-    rec.error = {min(most, error.x), min(most, error.y), min(most, error.z)};  // `most` also for what is not a number
-    rec.index = index_t<T>{};
-    rec.front_face = c.entering;
-}
-
-/// Keeps a recorded point within the bounds: that of a ray that grazes a tip, where W, as the last precision, does not
-/// know t well, may have come to lie beyond them.
-/// \param bounds  answers with them, to be asked only then
-template <class W, real T, real N, class Bounds>
-RAIO_FN constexpr void keep_in_bounds([[maybe_unused]] hit_record<T, N>& rec, [[maybe_unused]] Bounds bounds) {
-    if constexpr (std::same_as<W, double_double>) {
-        constexpr double rounding = (1 + 0x1p-7) * unit_roundoff<T>;  // `padded` has room for that 128th
-        if (norm1(rec.error) > norm1(rec.point) * T(rounding)) rec.point = nearest_in(bounds(), rec.point);
-    }
-}
-
-/// Records a point that lies between corners: seen edge-on or from far away, the computed one may lie beyond them.
-template <class W, real R, real T, real N>
-RAIO_FN constexpr void record_point_between(const aabb<T>& corners, const ray<R>& ray, const crossing<W>& c,
-                                            hit_record<T, N>& rec, T bend = T(0)) {
-    record_point(ray, c, rec, bend);
-    rec.point = nearest_in(corners, rec.point);
 }
 
 }  // namespace raio

@@ -25,7 +25,7 @@ RAIO_FN constexpr point_power<W> power_of_point(const vec3<D>& p, const D& radiu
 /// Do numbers T and R leave W more than half its digits to spare, and is there a precision beyond W?
 template <class W, class T, class R>
 inline constexpr bool leaves_spare_digits =
-    std::conjunction_v<std::is_same<W, strict_double>, std::is_same<T, float>, std::is_same<R, float>>;
+    std::same_as<scalar_t<W>, strict_double>&& std::same_as<scalar_t<T>, float>&& std::same_as<scalar_t<R>, float>;
 
 /// The chord through the sphere about `l`, as seen from where the line has t = 0.
 ///
@@ -52,32 +52,38 @@ template <int Roundings, bool Spare, class W, class Power>
     constexpr double u = unit_roundoff<W>, least = least_normal<W>;
     W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, s2;
     E s2_error;
-    bool brief = false;
+    mask_t<W> brief(false);
     if constexpr (Spare) {
         // Each of the two terms is off by less than 20 Roundings u of a (l.l + radius^2). Where s^2 is 2^38 times as
         // much, which it is up to some 20 radii away, the ends of the chord are good to 2^-37 of its half.
         W l2 = dot(l, l), r2 = radius * radius;
         s2 = b * b - a * (l2 - r2), s2_error = W(64 * Roundings * u) * (a * (l2 + r2));
-        if (s2 < -s2_error) return nowhere<W>(true);
-        brief = s2 > W(0x1p38) * s2_error;
+        const mask_t<W> passes = s2 < -s2_error;
+        if (all(passes)) return nowhere<W>(true);
+        brief = some(passes, s2 > W(0x1p38) * s2_error);
     }
-    if (!brief) {
+    if (!all(brief)) {
         vec3<W> moment = cross(l, d);
-        W passed2 = dot(moment, moment);
-        s2 = ar2 - passed2;
+        W passed2 = dot(moment, moment), direct = ar2 - passed2;
+        E direct_error;
 
         // l x d is off by less than e = 4 Roundings u |l| |d|, and that decides whether the line passes by: its length
         // is on the same side of |d| radius if its square is farther from that than e (2 |d| radius + e). The size of a
         // vector is the sum of its components here, at most 1.74 times its length. Where a closer look can follow, the
         // lengths' squares do: 2 e |d| radius is at most part |d|^2 radius^2 + e^2 / part. (Any part will do: a larger
         // one leaves more tangents open, and a smaller one more of what is far away.)
-        if constexpr (std::same_as<W, strict_double>) {
+        if constexpr (std::same_as<scalar_t<W>, strict_double>) {
             constexpr double part = 0x1p-21, of_sizes = 256 * Roundings * Roundings * u * u / part;
-            s2_error = E(2 * part) * (E(ar2) + E(passed2)) + E(of_sizes) * (E(a) * E(dot(l, l)));
+            direct_error = E(2 * part) * (E(ar2) + E(passed2)) + E(of_sizes) * (E(a) * E(dot(l, l)));
         } else {
             E d_size = norm1(vec3<E>(d)), e = E(4 * Roundings * u) * norm1(vec3<E>(l)) * d_size;
-            s2_error =
+            direct_error =
                 with_underflow<W>(e * (E(2) * d_size * E(radius) + e) + E(8 * Roundings * u) * (E(ar2) + E(passed2)));
+        }
+        if constexpr (Spare) {
+            s2 = select(brief, s2, direct), s2_error = select(brief, s2_error, direct_error);
+        } else {
+            s2 = direct, s2_error = direct_error;
         }
     }
     // A sphere so small that the last precision cannot tell it from its centre has no normal: it is missed.
@@ -88,22 +94,21 @@ template <int Roundings, bool Spare, class W, class Power>
 
     mask_t<W> crossed = every(sound, exists, s2 > s2_error);
     W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
-    E error;
-    if (brief) {
-        // The root is off by less than s2_error / s, a 2^38th of it; and b by less than that, since it is by 18
-        // Roundings u |l| |d|, and s is at most |d| radius.
-        error = E(0x1p-37) * E(s) * E(over_a);
-    } else {
+    // Briefly, the root is off by less than s2_error / s, a 2^38th of it; and b by less than that, since it is by 18
+    // Roundings u |l| |d|, and s is at most |d| radius.
+    E error = E(0x1p-37) * E(s) * E(over_a);
+    if (!all(brief)) {
         // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
-        crossed = every(crossed, s2 > W(0x1p-10) * ar2);
-        error = with_underflow<W>(E(0x1p9 * Roundings * u) * norm1(vec3<E>(d)) * (norm1(vec3<E>(l)) + E(radius)) *
+        crossed = every(crossed, some(brief, s2 > W(0x1p-10) * ar2));
+        E far = with_underflow<W>(E(0x1p9 * Roundings * u) * norm1(vec3<E>(d)) * (norm1(vec3<E>(l)) + E(radius)) *
                                   E(over_a));
+        error = select(brief, error, far);
     }
     const mask_t<W> certain = some(apart, crossed);
     vec2<W> t = quadratic_roots(over_a, b, dot(l, l) - radius * radius, s);
     W near = t.x, far = t.y;
     E near_error = error, far_error = error;
-    if constexpr (!std::same_as<mask_t<W>, bool>) {
+    if constexpr (only_sieves<W>) {
         // Packs ask nobody else: they have to know on which side of the sphere a ray starts.
         const mask_t<W> at_origin = every(exists, some(abs(near) <= error, abs(far) <= error));
         if (any(at_origin)) {

@@ -13,74 +13,6 @@ namespace raio::test {
 static_assert(std::same_as<detail::leaves_of<sphere<float>>, detail::leaf_blocks<sphere<float>>>);
 static_assert(std::same_as<detail::leaves_of<convex_polyhedron<float>>, detail::leaf_list<convex_polyhedron<float>>>);
 
-namespace {
-
-/// What may be known of a crossing and the window [1, 2].
-enum class state { inside, before, beyond, nowhere, open };
-
-struct known_crossing {
-    bool exists, certain;
-    double t, error;
-    state is;
-};
-const known_crossing known_crossings[] = {
-    {true, true, 1.5, 0.25, state::inside},   {true, true, 1.25, 0.25, state::inside},  // as far as the end
-    {true, true, 1.75, 0.25, state::inside},  {true, true, 1, 0, state::inside},
-    {true, true, 2, 0, state::inside},        {true, true, 0.5, 0.25, state::before},
-    {true, true, 2.5, 0.25, state::beyond},   {true, true, 0.75, 0.25, state::open},  // up to the end
-    {true, true, 2.25, 0.25, state::open},    {true, true, 1.5, 2, state::open},
-    {true, true, 1.5, NAN, state::open},      {true, true, NAN, 0, state::open},
-    {false, true, 1.5, 0.25, state::nowhere}, {false, true, NAN, NAN, state::nowhere},
-    {true, false, 1.5, 0.25, state::open},    {false, false, 1.5, 0.25, state::open},
-    {true, false, 0.5, 0.25, state::open},    {false, false, 2.5, 0.25, state::open},
-};
-
-template <class W>
-crossing<W> in_every_lane(const known_crossing& k) {
-    const mask_t<W> yes = W(0) == W(0), no = !yes;
-    return {k.exists ? yes : no, k.certain ? yes : no, W(k.t), W(k.error), no};
-}
-
-template <class T, std::size_t N>
-void check_lanes(std::uint32_t lanes, bool expected) {
-    CHECK((lanes & ((1u << N) - 1)) == (expected ? (1u << N) - 1 : 0));
-}
-
-}  // namespace
-
-TEST_CASE_TEMPLATE("judge: what is known of a crossing", T, RAIO_NUMBERS) {
-    using W = pack<T, 4>;
-    for (const known_crossing& k : known_crossings) {
-        CAPTURE(&k - known_crossings);
-        const detail::findings<T, 4> found = detail::judge<T>(in_every_lane<W>(k), W(1), W(2));
-        check_lanes<T, 4>(found.sure, k.is == state::inside);
-        check_lanes<T, 4>(found.open, k.is == state::open);
-        if (k.is == state::inside) CHECK((found.low[3] == T(k.t - k.error) && found.high[3] == T(k.t + k.error)));
-    }
-}
-
-TEST_CASE_TEMPLATE("judge: of a chord the first in the window", T, RAIO_NUMBERS) {
-    using W = pack<T, 4>;
-    for (const known_crossing& near : known_crossings) {
-        for (const known_crossing& far : known_crossings) {
-            CAPTURE(&near - known_crossings);
-            CAPTURE(&far - known_crossings);
-            if (near.is == state::before && far.is == state::nowhere) continue;  // only a far end stands alone
-            // Nothing comes behind what is beyond; and what is passed leaves the far end to say it.
-            const bool is_passed = near.is == state::before || near.is == state::nowhere;
-            const known_crossing& decisive = is_passed ? far : near;
-            const chord<W> c{in_every_lane<W>(near), in_every_lane<W>(far)};
-            const detail::findings<T, 4> found = detail::judge<T>(c, W(1), W(2));
-            check_lanes<T, 4>(found.sure, decisive.is == state::inside);
-            check_lanes<T, 4>(found.open, decisive.is == state::open);
-            if (decisive.is == state::inside) {
-                CHECK(found.low[3] == T(decisive.t - decisive.error));
-                CHECK(found.high[3] == T(decisive.t + decisive.error));
-            }
-        }
-    }
-}
-
 TEST_CASE_TEMPLATE("leaf_blocks: shapes with their ids, each once, and nothing in the lanes that are left", T,
                    RAIO_NUMBERS) {
     detail::leaf_blocks<sphere<T>> leaves;
@@ -154,54 +86,6 @@ TEST_CASE_TEMPLATE("leaf_blocks: which boxes a ray of more digits comes near", T
         }
     }
     CHECK(hits > 5'000);
-}
-
-TEST_CASE("judge: what double finds, for floats, is rounded to them before it counts") {
-    using W = pack<double, 4>;
-    const double u = 0x1p-24;  // half of what lies between two floats above 1
-    const auto found = [&](double t, double error, double t_min, double t_max) {
-        const mask_t<W> yes(true);
-        return detail::judge<float>(crossing<W>{yes, yes, W(t), W(error), yes}, W(t_min), W(t_max));
-    };
-    CHECK((found(1 + 0.5 * u, 0.1 * u, 0, 1).sure & 15) == 15);  // it is beyond 1, and rounded to it
-    CHECK((found(1 - 0.2 * u, 0.1 * u, 1, 2).sure & 15) == 15);
-    CHECK((found(1 + 2 * u, 0.1 * u, 0, 1).open & 15) == 0);  // it is the next float
-    CHECK((found(1 + 2 * u, 0.1 * u, 0, 1).sure & 15) == 0);
-    CHECK((found(1 + u, 0.1 * u, 0, 1).open & 15) == 15);  // it may be either of them
-    const auto between = found(1 + u, 0.1 * u, 0, 2);
-    CHECK((between.sure & 15) == 15);
-    CHECK((between.low[2] == 1 && between.high[2] == 1 + 2 * static_cast<float>(u)));
-}
-
-TEST_CASE("leaf_blocks: a ray that was mapped, whose digits are those of a double") {
-    detail::leaf_blocks<triangle<float>> leaves;
-    const detail::leaf_range ranges[] = {{0, 2}};
-    const std::uint32_t ids[] = {0, 1};
-    leaves.resize(ranges);
-    leaves.fill(0, ids, [](std::uint32_t id) {
-        const auto x = static_cast<float>(id);
-        return triangle<float>{{x, 0, -2}, {x + 1, 0, -2}, {x, 1, -2}};
-    });
-    const auto met_at = [&](double x) {
-        const ray<strict_double> r{{x, 0.25, 0}, {0, 0, -1}};
-        const auto found = leaves.find(0, r, 0.0f, infinity<float>);
-        CHECK(found.open == 0);
-        return found.sure;
-    };
-    CHECK(met_at(-1e-12) == 0);  // to a float these are 0, 0.75 and 1
-    CHECK(met_at(1e-12) == 1);
-    CHECK(met_at(0.75 - 1e-12) == 1);
-    CHECK(met_at(0.75 + 1e-12) == 0);
-    CHECK(met_at(1 - 1e-12) == 0);
-    CHECK(met_at(1 + 1e-12) == 2);
-
-    // The window is one of floats, and t comes to lie in it once it is one.
-    const auto is_in_window = [&](double z, double speed, float t) {
-        return leaves.find(0, ray<strict_double>{{0.25, 0.25, z}, {0, 0, speed}}, t, t).sure == 1;
-    };
-    for (const double off : {1 - 1e-12, 1.0, 1 + 1e-12}) CHECK(is_in_window(0, -off, 2));
-    for (const double z : {-2 - 1e-60, -2.0, -2 + 1e-60}) CHECK(is_in_window(z, -1, 0));
-    CHECK(!is_in_window(0, -(1 + 1e-6), 2));
 }
 
 TEST_CASE_TEMPLATE("leaf_list: shapes with their ids, each a leaf", T, RAIO_NUMBERS) {

@@ -38,9 +38,7 @@ void check_each_lane(const std::array<const Shape*, N>& shapes) {
             INFO(literal(rays[lane]));
             REQUIRE(hit[lane] == expected_hit);
             REQUIRE(occluded[lane] == expected_hit);
-            hit_record<S> found = lane_of(rec, lane);
-            found.index = static_cast<std::uint32_t>(rec.index[lane]);
-            REQUIRE(same_record(found, expected));
+            REQUIRE(same_record(detail::in_lane<P>(rec, lane), expected));
             hits += expected_hit;
         }
     }

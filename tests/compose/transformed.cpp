@@ -7,6 +7,7 @@
 
 #include "support/bounds.hpp"
 #include "support/cases.hpp"
+#include "support/packs.hpp"
 #include "support/spheres.hpp"
 #include "support/triangles.hpp"
 
@@ -22,10 +23,10 @@ struct posed {
     transform<T> map;
 
     auto placed() const { return transformed(shape, map); }
-    bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
         return placed().hit(ray, t_min, t_max, rec);
     }
-    bool occluded(const ray<T>& ray, T t_min, T t_max) const { return placed().occluded(ray, t_min, t_max); }
+    mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const { return placed().occluded(ray, t_min, t_max); }
     auto spans(const ray<T>& ray) const requires(solid<P>) { return placed().spans(ray); }
     aabb<T> bounds() const { return placed().bounds(); }
 };
@@ -413,6 +414,11 @@ void check_image() {
 TEST_CASE_TEMPLATE("transformed: as exact arithmetic", T, RAIO_NUMBERS) {
     check_image<sphere<T>>();
     check_image<triangle<T>>();
+}
+
+TEST_CASE_TEMPLATE("transformed: packs, lane by lane", T, RAIO_NUMBERS) {
+    check_lanes_are_plain<posed<sphere<T>>>(400);
+    check_lanes_are_plain<posed<triangle<T>>>(400);
 }
 
 }  // namespace raio::test

@@ -30,6 +30,10 @@ ACCEPTED = pathlib.Path(__file__).with_name("accepted.txt")
 # Which shapes answer for a header beside the test of its name.
 SHAPES = {
     "settle.hpp": ["shape/sphere"],
+    "window.hpp": ["settle", "settle_lanes", "shape/sphere"],
+    "record.hpp": ["hit_record", "shape/sphere", "shape/box"],
+    "settle_lanes.hpp": ["simd/shapes"],
+    "lanes.hpp": ["settle_lanes", "shape/torus"],
     "sphere_crossing.hpp": ["shape/sphere", "simd/shapes"],
     "crossing.hpp": ["shape/cylinder", "shape/box"],
     "plane_crossing.hpp": ["shape/plane", "shape/disc"],

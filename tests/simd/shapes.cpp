@@ -22,7 +22,8 @@ namespace raio::test {
 template <class Shape>
 void check_packs(double may_be_left_open = 0.01) {
     using P = pack<number_t<Shape>>;
-    check_lanes_of_hits<Shape, P>(test_rays / 20);
+    check_crossings_of_lanes<Shape, P>(test_rays / 20);
+    check_lanes_are_plain<Shape, P>(test_rays / 20);
     const double open = fraction_left_open<P, Shape>(20'000);
     MESSAGE("left open: " << 100 * open << " %");
     CHECK(open < may_be_left_open);
@@ -58,6 +59,17 @@ TEST_CASE("packs of floats: what rays leave that is the ground") {
     };
     check_packs_that_rays_leave<sphere<float>>(arriving(sphere<float>{{0, -1000, 0}, 1000}));
     check_packs_that_rays_leave<ellipsoid<float>>(arriving(ellipsoid<float>{{0, -1000, 0}, {2000, 1000, 1500}}));
+}
+
+TEST_CASE("packs of floats: a ray that starts closer to a tip than squares of floats can tell") {
+    using P = pack<float, 4>;
+    const vec3<float> base(0), top(0x1.aea366p+16f, -0x1.b562fap+14f, 0x1.3bf152p+17f);
+    const frustum<P> packed{vec3<P>(base), vec3<P>(top), P(0), P(0x1.81047p+16f)};
+    const vec3<float> from(0x1.e693p-75f, -0x1.3740fep-75f, 0x1.3771aep-81f);
+    const vec3<float> direction(-0x1.e8cab2p-3f, -0x1.bc0d3p-3f, -0x1.e4a6fap-1f);
+    const crossing<P> near = packed.crossings<P>(ray<P>{vec3<P>(from), vec3<P>(direction)}).near;
+    const double exact = -0x1.be64161cdb3d8p-70;
+    CHECK((!near.certain[0] || std::abs(double(near.t[0]) - exact) <= double(near.error[0])));
 }
 
 TEST_CASE_TEMPLATE("packs: sphere", T, RAIO_NUMBERS) { check_packs<sphere<T>>(); }

@@ -22,6 +22,24 @@ bool same_record(const hit_record<T>& a, const hit_record<T>& b) {
            a.index == b.index && a.front_face == b.front_face;
 }
 
+/// Is a lane's record that of the plain shape? What compilers contract as they like, uv and the bound of the error, up
+/// to that.
+template <class S>
+bool same_as_plain(hit_record<S> found, const hit_record<S>& plain) {
+#if defined(__FMA__)
+    const auto is_near = [](S a, S b) { return std::abs(a - b) <= S(8) * std::numeric_limits<S>::epsilon() * (1 + b); };
+    const auto is_part = [](S a, S b) { return std::abs(a - b) <= S(0.001) * b; };
+    const auto around = [&](S a, S b) {
+        return is_near(a, b) || is_near(std::abs(a - b), 1);
+    };  // 0 and 1 are one angle
+    if (around(found.uv.x, plain.uv.x) && around(found.uv.y, plain.uv.y)) found.uv = plain.uv;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        if (is_part(found.error[i], plain.error[i])) found.error[i] = plain.error[i];
+    }
+#endif
+    return same_record(found, plain);
+}
+
 template <class T>
 bool all_finite(const vec3<T>& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

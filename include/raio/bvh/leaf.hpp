@@ -49,62 +49,6 @@ struct findings {
     pack<T, N> low, high;
 };
 
-/// Between which numbers the exact t comes to lie once it is rounded to T.
-template <class T, class W>
-struct rounded_between {
-    W low, high;
-
-    explicit rounded_between(const crossing<W>& c) : low(rounded(c.t - c.error)), high(rounded(c.t + c.error)) {}
-
-private:
-    static W rounded(const W& x) {
-        if constexpr (std::same_as<scalar_t<W>, T>) {
-            return x;
-        } else {
-            return W(pack<T, W::lanes>(x));
-        }
-    }
-};
-
-/// The bits of the lanes in which a crossing is known to be in the window, before it, beyond it, or nowhere.
-struct lanes_of_crossing {
-    std::uint32_t inside, before, beyond, nowhere;
-
-    template <class T, class W>
-    lanes_of_crossing(const crossing<W>& c, const rounded_between<T, W>& t, const W& t_min, const W& t_max) {
-        const std::uint32_t certain = bits(c.certain), exists = certain & bits(c.exists);
-        inside = exists & bits(every(t_min <= t.low, t.high <= t_max));
-        before = exists & bits(t.high < t_min);
-        beyond = exists & bits(t_max < t.low);
-        nowhere = certain & ~exists;
-    }
-};
-
-/// \tparam T  what t is rounded to, as the ends of the window are
-template <class T, class W>
-findings<T, W::lanes> judge(const crossing<W>& c, const W& t_min, const W& t_max) {
-    using numbers = pack<T, W::lanes>;
-    if (c.missed) return {0, 0, numbers(0), numbers(0)};
-    const rounded_between<T, W> t(c);
-    const lanes_of_crossing is(c, t, t_min, t_max);
-    return {is.inside, ~(is.inside | is.before | is.beyond | is.nowhere), numbers(t.low), numbers(t.high)};
-}
-
-/// Of a chord the first that is in the window. That of a tube without caps may have a far end only.
-template <class T, class W>
-findings<T, W::lanes> judge(const chord<W>& c, const W& t_min, const W& t_max) {
-    using numbers = pack<T, W::lanes>;
-    if (missed(c)) return {0, 0, numbers(0), numbers(0)};
-    const rounded_between<T, W> near_t(c.near), far_t(c.far);
-    const lanes_of_crossing near(c.near, near_t, t_min, t_max), far(c.far, far_t, t_min, t_max);
-    const std::uint32_t passed = near.before | near.nowhere;
-    const std::uint32_t sure = near.inside | (passed & far.inside);
-    const std::uint32_t out = near.beyond | (passed & (far.before | far.beyond | far.nowhere));
-    const mask_t<W> at_near = every(c.near.exists, t_min <= near_t.low);
-    return {sure, ~(sure | out), numbers(select(at_near, near_t.low, far_t.low)),
-            numbers(select(at_near, near_t.high, far_t.high))};
-}
-
 /// What the lanes of a block compute with: the shapes' own numbers, or what holds those of a ray that was mapped.
 template <class R, class T, std::size_t N>
 using lanes_for = pack<std::conditional_t<std::same_as<R, T>, T, double>, N>;
@@ -149,6 +93,7 @@ public:
     std::uint32_t used(std::uint32_t i) const { return blocks_[i].used(); }
     std::uint32_t id(std::uint32_t i, unsigned lane) const { return blocks_[i].ids[lane]; }
     Shape shape(std::uint32_t i, unsigned lane) const { return blocks_[i].shapes.get(lane); }
+    decltype(auto) shapes(std::uint32_t i) const { return blocks_[i].shapes.shapes(); }
     void set(std::uint32_t i, unsigned lane, const Shape& shape) { blocks_[i].shapes.set(lane, shape); }
 
     /// Packs know nothing of rays with more digits than a double.
@@ -163,9 +108,11 @@ public:
         t_max = std::min(t_max, std::numeric_limits<T>::max());  // what is at infinity is missed
         S from = t_min, to = t_max;  // more digits than T has may be rounded into the window
         if constexpr (!std::same_as<S, T>) from = widened<S>(t_min, -1), to = widened<S>(t_max, 1);
-        findings<T, lanes> found = judge<T>(
-            crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), in_every_lane, W(from), W(to)),
-            W(t_min), W(t_max));
+        using numbers = pack<T, lanes>;
+        const sifted<numbers> is =
+            sift(crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), in_every_lane, W(from), W(to)),
+                 numbers(t_min), numbers(t_max));
+        findings<T, lanes> found{bits(is.sure), bits(is.open), is.low, is.high};
         constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - lanes);
         if (((found.sure | found.open) & all) != 0) {
             const std::uint32_t used = b.used();

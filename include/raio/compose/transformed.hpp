@@ -1,6 +1,7 @@
 #pragma once
 
 #include <raio/concepts.hpp>
+#include <raio/lanes.hpp>
 #include <raio/math/transform.hpp>
 
 namespace raio {
@@ -42,10 +43,14 @@ public:
     }
     template <real R, real N>
     RAIO_FN constexpr mask_t<T> hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
-        hit_record<T, W> local;
-        const mask_t<T> met = detail::hit(primitive(), mapped_back(ray), t_min, t_max, local);
-        if (any(met)) assign(met, rec, mapped<N>(local, vec3<W>(ray.direction)));
-        return met;
+        if constexpr (detail::has_lanes<T>) {
+            return detail::first_hit_in_lanes(*this, ray, t_min, t_max, rec);
+        } else {
+            hit_record<T, W> local;
+            const bool met = detail::hit(primitive(), mapped_back(ray), t_min, t_max, local);
+            if (met) rec = mapped<N>(local, vec3<W>(ray.direction));
+            return met;
+        }
     }
 
     RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
@@ -53,13 +58,21 @@ public:
     }
     template <real R>
     RAIO_FN constexpr mask_t<T> occluded(const ray<R>& ray, T t_min, T t_max) const {
-        return detail::occluded(primitive(), mapped_back(ray), t_min, t_max);
+        if constexpr (detail::has_lanes<T>) {
+            return detail::any_hit_in_lanes(*this, ray, t_min, t_max);
+        } else {
+            return detail::occluded(primitive(), mapped_back(ray), t_min, t_max);
+        }
     }
 
     RAIO_FN constexpr auto spans(const ray<T>& ray) const requires(solid<P>) { return spans<T>(ray); }
     template <real R>
     RAIO_FN constexpr auto spans(const ray<R>& ray) const requires(solid<P>) {
-        return detail::spans_of(primitive(), mapped_back(ray));
+        if constexpr (detail::has_lanes<T>) {
+            return detail::spans_in_lanes(*this, ray);
+        } else {
+            return detail::spans_of(primitive(), mapped_back(ray));
+        }
     }
 
     /// Each side of the image is the sum of what the sides of the primitive's box contribute (Arvo, Graphics Gems,
@@ -81,6 +94,11 @@ public:
         add(map_.z, box.min.z, box.max.z);
         vec3<B> off = size * B(8 * unit_roundoff<B>);
         return padded(aabb<T>{vec3<T>(low - off), vec3<T>(high + off)});
+    }
+
+    /// What is in one lane of packs.
+    RAIO_FN auto in_lane(std::size_t lane) const requires detail::has_lanes<T> {
+        return raio::transformed(detail::in_lane<T>(primitive(), lane), detail::in_lane<T>(map_, lane));
     }
 
 private:

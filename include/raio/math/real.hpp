@@ -68,6 +68,11 @@ using exact_t = typename real_traits<T>::exact;
 template <class T>
 using bound_t = typename real_traits<T>::bound;
 
+/// Is it packs that nobody wider corrects on the way, since they only sieve? (Packs of strict_double go the same way as
+/// one.)
+template <class W>
+inline constexpr bool only_sieves = !std::same_as<mask_t<W>, bool> && !std::same_as<scalar_t<W>, strict_double>;
+
 /// `if_true` where the mask is set, `if_false` elsewhere; a pack chooses lane by lane.
 template <std::same_as<bool> Mask, class T>
 RAIO_FN constexpr T select(Mask mask, T if_true, T if_false) {
@@ -92,22 +97,26 @@ RAIO_FN constexpr bool any(bool mask) { return mask; }
 RAIO_FN constexpr bool all(bool mask) { return mask; }
 RAIO_FN constexpr bool none(bool mask) { return !mask; }
 
+/// A mask that is taken for one of another kind: of packs, those of numbers of any size.
+template <class Other, class Mask>
+concept mask_like = std::same_as<Other, Mask> ||(!std::same_as<Mask, bool> && std::convertible_to<Other, Mask>);
+
 /// Are all the masks set, is one of them? Unlike && and || these ask every one of them: a branch on a comparison that
 /// is as good as random costs more than the comparisons it saves.
-template <class Mask, std::same_as<Mask>... Masks>
+template <class Mask, mask_like<Mask>... Masks>
 RAIO_FN constexpr Mask every(const Mask& first, const Masks&... rest) {
     if constexpr (std::same_as<Mask, bool>) {
         return (static_cast<unsigned>(first) & ... & static_cast<unsigned>(rest)) != 0;
     } else {
-        return (first & ... & rest);
+        return (first & ... & Mask(rest));
     }
 }
-template <class Mask, std::same_as<Mask>... Masks>
+template <class Mask, mask_like<Mask>... Masks>
 RAIO_FN constexpr Mask some(const Mask& first, const Masks&... rest) {
     if constexpr (std::same_as<Mask, bool>) {
         return (static_cast<unsigned>(first) | ... | static_cast<unsigned>(rest)) != 0;
     } else {
-        return (first | ... | rest);
+        return (first | ... | Mask(rest));
     }
 }
 

@@ -12,18 +12,19 @@
 ///     ray<pack<float>> packet;          // as many rays as the processor's registers have lanes
 ///     sphere<pack<float, 8>> leaf;      // eight spheres, in one register or in as many as it takes
 ///
-/// A pack computes in its own precision and decides in it: its `hit` is as good as its formula, and its `crossings`
-/// say how good that is. Where they are certain, the exact answer of a plain number is the same.
+/// What a pack answers is what the plain numbers in its lanes answer, bit for bit (settle_lanes.hpp).
 ///
 /// The registers are those of xsimd. Where it is not installed, in CUDA, and where RAIO_WITHOUT_XSIMD is defined, a
 /// `pack<S>` has one lane, and a `pack<S, N>` is N plain numbers.
 
 namespace raio {
 
-/// N numbers S: `float` or `double`, or, to count with, unsigned ones of the same size.
+/// N numbers S: `float`, `double` or `strict_double`, or, to count with, unsigned ones of the same size.
 template <class S, std::size_t N = detail::native_lanes<S>>
 class pack {
-    static_assert(std::is_arithmetic_v<S> && (sizeof(S) == 4 || sizeof(S) == 8) && 1 <= N && N <= 32);
+    static constexpr bool is_strict = std::same_as<S, strict_double>;
+    using held = std::conditional_t<is_strict, double, S>;  // what registers know
+    static_assert(std::is_arithmetic_v<held> && (sizeof(S) == 4 || sizeof(S) == 8) && 1 <= N && N <= 32);
 
 public:
     using mask = pack_mask<std::conditional_t<sizeof(S) == 4, float, double>, N>;
@@ -35,17 +36,34 @@ public:
     /// The same number in every lane.
     template <class Number>
     requires std::is_arithmetic_v<Number> RAIO_FN constexpr pack(Number value) {
-        detail::fill(registers_, [&](std::size_t) { return register_type(static_cast<S>(value)); });
+        detail::fill(registers_, [&](std::size_t) { return register_type(static_cast<held>(value)); });
     }
+    RAIO_FN constexpr pack(strict_double value) requires is_strict : pack(static_cast<double>(value)) {}
 
     /// The same numbers, as S.
     template <class From>
     requires(!std::same_as<From, S>) RAIO_FN explicit pack(const pack<From, N>& from) {
-        std::array<From, N> numbers;
-        std::array<S, N> converted;
-        from.store(numbers.data());
-        for (std::size_t i = 0; i < N; ++i) converted[i] = static_cast<S>(numbers[i]);
-        *this = load(converted.data());
+        using other = typename pack<From, N>::held;
+        if constexpr (std::same_as<other, held>) {
+            std::memcpy(&registers_, &from, sizeof(pack));
+        } else {
+#if defined(__GNUC__) && !defined(__CUDACC__)
+            if constexpr (std::has_single_bit(N)) {
+                using numbers [[gnu::vector_size(N * sizeof(other))]] = other;
+                using converted [[gnu::vector_size(N * sizeof(held))]] = held;
+                numbers given;
+                std::memcpy(&given, &from, sizeof(given));
+                const converted made = __builtin_convertvector(given, converted);
+                std::memcpy(&registers_, &made, sizeof(pack));
+                return;
+            }
+#endif
+            std::array<other, N> numbers;
+            std::array<held, N> converted;
+            std::memcpy(&numbers, &from, sizeof(numbers));
+            for (std::size_t i = 0; i < N; ++i) converted[i] = static_cast<held>(numbers[i]);
+            std::memcpy(&registers_, &converted, sizeof(pack));
+        }
     }
 
     /// N numbers that stand one after the other in memory, aligned or not.
@@ -73,7 +91,13 @@ public:
         return made([&](std::size_t i) { return a.registers_[i] - b.registers_[i]; });
     }
     RAIO_FN friend constexpr pack operator*(const pack& a, const pack& b) {
-        return made([&](std::size_t i) { return a.registers_[i] * b.registers_[i]; });
+        return made([&](std::size_t i) {
+            if constexpr (is_strict) {
+                return detail::rounded_product(a.registers_[i], b.registers_[i]);
+            } else {
+                return a.registers_[i] * b.registers_[i];
+            }
+        });
     }
     RAIO_FN friend constexpr pack operator/(const pack& a, const pack& b) {
         return made([&](std::size_t i) { return a.registers_[i] / b.registers_[i]; });
@@ -138,7 +162,10 @@ public:
     }
 
 private:
-    using register_type = detail::register_of<S, N>;
+    template <class, std::size_t>
+    friend class pack;
+
+    using register_type = detail::register_of<held, N>;
     static constexpr std::size_t count = N * sizeof(S) / sizeof(register_type);
 
     template <class F>
@@ -172,7 +199,7 @@ struct real_traits<pack<S, N>> {
     using scalar = S;
     using mask = typename pack<S, N>::mask;
     using index = pack<std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>, N>;
-    using working = pack<S, N>;
+    using working = pack<strict_double, N>;
     using exact = pack<S, N>;
     using bound = pack<S, N>;
 };
@@ -181,6 +208,12 @@ template <std::size_t N>
 struct wide<pack<float, N>> {
     using type = pack<double, N>;
 };
+
+// A mask of numbers of another size becomes numbers, which are converted, and a mask again.
+template <std::floating_point S, std::size_t N>
+template <std::floating_point Other>
+requires(!std::same_as<Other, S>) RAIO_FN constexpr pack_mask<S, N>::pack_mask(const pack_mask<Other, N>& other)
+    : pack_mask(pack<S, N>(select(other, pack<Other, N>(1), pack<Other, N>(0))) > pack<S, N>(0)) {}
 
 // One number that converts to a pack: the compiler knows it, as it would not know a pack.
 template <class S, std::size_t N>

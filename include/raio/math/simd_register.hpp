@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <raio/math/real.hpp>
+#include <raio/math/strict_double.hpp>
 
 /// \file
 /// The registers that packs live in, and the masks that comparisons of packs answer.
@@ -113,6 +113,18 @@ RAIO_FN constexpr Register greater(const Register& a, const Register& b) {
     }
 }
 
+/// The product, rounded before anything else happens to it: see strict_double.hpp.
+template <class Register>
+RAIO_FN constexpr Register rounded_product(const Register& a, const Register& b) {
+    Register product = a * b;
+#if defined(__GNUC__) && (defined(__FMA__) || defined(__FMA4__))
+    asm("" : "+v"(product.data));
+#elif defined(__GNUC__) && defined(__aarch64__)
+    asm("" : "+w"(product.data));
+#endif
+    return product;
+}
+
 /// x, or -x where `sign` is negative.
 template <class Register>
 RAIO_FN constexpr Register flipped(const Register& x, const Register& sign) {
@@ -148,6 +160,10 @@ public:
     RAIO_FN constexpr pack_mask(std::same_as<bool> auto value) {
         detail::fill(registers_, [&](std::size_t) { return register_type(value); });
     }
+
+    /// The same lanes, of packs of numbers of another size.
+    template <std::floating_point Other>
+    requires(!std::same_as<Other, S>) RAIO_FN constexpr pack_mask(const pack_mask<Other, N>& other);
 
     RAIO_FN constexpr bool operator[](std::size_t lane) const { return (bits(*this) >> lane & 1) != 0; }
 

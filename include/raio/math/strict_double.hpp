@@ -39,7 +39,7 @@ RAIO_FN constexpr double rounded_product(double a, double b) {
 template <class T, class... Arguments>
 RAIO_FN constexpr void keep_as_stored([[maybe_unused]] const Arguments&... arguments) {
 #if defined(__GNUC__) && __GNUC__ < 14 && !defined(__clang__) && !defined(__CUDA_ARCH__)
-    if constexpr (std::same_as<T, float>) {
+    if constexpr (std::same_as<scalar_t<T>, float>) {
         if (std::is_constant_evaluated()) return;
         (..., [](const Arguments& argument) { asm("" : "+m"(const_cast<Arguments&>(argument))); }(arguments));
     }

@@ -130,10 +130,11 @@ struct box {
         record_point_between({min, max}, ray, c, rec);
         // One coordinate is known without any error: that of the face, which is the low one where the line enters
         // forwards.
-        const mask_t<T> x = c.face == index_t<T>(0), y = c.face == index_t<T>(1), z = c.face == index_t<T>(2);
+        const mask_t<T> x = c.face == index_t<W>(0), y = c.face == index_t<W>(1), z = c.face == index_t<W>(2);
+        const mask_t<T> entering = c.entering;
         const T zero(0), one(1);
         const auto put_onto = [&](mask_t<T> on, const R& d, T low, T high, T& p, T& error, N& normal) {
-            const mask_t<T> forward = d > R(0), at_low = c.entering == forward;
+            const mask_t<T> forward = d > R(0), at_low = entering == forward;
             p = choose(on, choose(at_low, low, high), p);
             error = choose(on, zero, error);
             normal = choose(on, choose(forward, N(-1), N(1)), N(0));

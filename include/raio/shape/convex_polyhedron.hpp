@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <ranges>
 #include <vector>
 
 #include <raio/concepts.hpp>
+#include <raio/lanes.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
 #include <raio/plane_crossing.hpp>
@@ -122,6 +124,13 @@ struct convex_polyhedron {
         rec.normal = outward * select(c.entering, N(1), N(-1));
         vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point);
         rec.uv = {fraction(local.x), fraction(local.y)};
+    }
+
+    /// What is in one lane of packs.
+    RAIO_FN auto in_lane(std::size_t lane) const requires detail::has_lanes<T> {
+        auto own = std::views::transform(
+            planes, [lane](const half_space<T>& plane) { return detail::in_lane<T>(plane, lane); });
+        return convex_polyhedron<scalar_t<T>, decltype(own)>{own};
     }
 
 private:

@@ -137,6 +137,7 @@ private:
     struct touching_cone {
         W radius, widening;  ///< at the base, and from there to the top
         W apart;             ///< D
+        mask_t<W> precise;   ///< is D as good as it has to be? Of packs there are no more digits to be had
         revolved_quadric<W> surface;
 
         RAIO_FN constexpr explicit touching_cone(const round_cone& s) : radius(s.base_radius) {
@@ -144,7 +145,10 @@ private:
             W axis2 = dot(axis, axis);
             widening = W(s.top_radius) - radius;
             apart = axis2 - widening * widening;
-            if (!all(axis2 >= W(8) * (axis2 - apart))) {  // D cancels where it is wide: there it takes more digits
+            precise = axis2 >= W(8) * (axis2 - apart);  // it cancels where the cone is wide
+            if constexpr (only_sieves<W>) precise = true;
+            if (std::same_as<mask_t<W>, bool> && !all(precise)) {
+                precise = true;
                 using X = exact_t<T>;
                 vec3<X> exact_axis = difference_as<X>(s.top, s.base);
                 X exact_widening = X(s.top_radius) - X(s.base_radius), exact_axis2 = dot(exact_axis, exact_axis);
@@ -167,15 +171,15 @@ private:
         const mask_t<W> sided = apart > W(0);
         chord<W> c = detail::one_nappe(cross_quadric(cone.surface, to_center, norm1(vec3<E>(to_center)), d),
                                        dot(d, axis) > W(0));
-        if constexpr (std::same_as<mask_t<W>, bool>) {
+        c.near.certain = every(c.near.certain, cone.precise), c.far.certain = every(c.far.certain, cone.precise);
+        if constexpr (!only_sieves<W>) {
             // Whether the line starts on the cone, rho^2 D = (r + w h)^2 A.A says without a division.
-            const bool near_0 = abs(E(c.near.t)) <= c.near.error, far_0 = abs(E(c.far.t)) <= c.far.error;
+            const mask_t<W> near_0 = abs(E(c.near.t)) <= c.near.error, far_0 = abs(E(c.far.t)) <= c.far.error;
             W height = -dot(to_center, axis), reach = r * axis2 + widening * height;
             vec3<W> across = cross(to_center, axis);
-            if ((near_0 || far_0) && dot(across, across) * apart == reach * reach) {
-                if (near_0) c.near.t = W(0);
-                if (far_0) c.far.t = W(0);
-            }
+            const mask_t<W> starts = dot(across, across) * apart == reach * reach;
+            c.near.t = select(every(near_0, starts), W(0), c.near.t);
+            c.far.t = select(every(far_0, starts), W(0), c.far.t);
         }
         if (missed(c)) return c;
         const auto above = [&](const vec3<T>& center, T radius) {
@@ -188,7 +192,7 @@ private:
         c = intersect(c, detail::cross_slab(axis, above(s.base, s.base_radius), above(s.top, s.top_radius), d));
         for (crossing<W>* end : {&c.near, &c.far}) {
             end->exists = every(end->exists, sided);
-            end->certain = some(end->certain, !sided);
+            end->certain = some(end->certain, every(cone.precise, !sided));
         }
         return c;
     }

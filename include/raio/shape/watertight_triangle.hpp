@@ -14,7 +14,8 @@ namespace raio {
 ///
 /// say on which side of each edge it lies. The ray hits where none of the three differs in sign from the others.
 ///
-/// Same corners, front and uv as `triangle`, which is exact as well, but for whose packs neighbours may disagree.
+/// Same corners, front and uv as `triangle`, which is exact as well, but whose `crossings` in other precisions may
+/// disagree with those of a neighbour.
 template <real T>
 struct watertight_triangle {
     using number = T;

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <raio/crossing.hpp>
+#include <raio/hit_record.hpp>
+
+/// \file
+/// What is recorded of a crossing.
+
+namespace raio {
+
+namespace detail {
+
+// Out of line, as what is rare.
+
+template <real T, real N>
+[[gnu::noinline]] RAIO_FN constexpr void put_within_range(hit_record<T, N>& rec) {
+    rec.point = within_range(rec.point);
+}
+
+template <real R, real T, real N>
+[[gnu::noinline]] RAIO_FN constexpr void put_against(const ray<R>& ray, hit_record<T, N>& rec) {
+    const mask_t<N> has_normal = rec.normal.x == rec.normal.x;
+    rec.normal = select(has_normal, rec.normal, -normalize(vec3<N>(ray.direction)));
+    const auto number_or_0 = [](const T& x) { return select(x == x, x, T(0)); };
+    rec.uv = {number_or_0(rec.uv.x), number_or_0(rec.uv.y)};
+}
+
+/// What the shape records of a crossing. Where its numbers are so uneven that no normal is left of them, that is
+/// against the ray; and what is left of uv is 0.
+template <class Shape, real R, class Crossing, real T, real N>
+RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
+    shape.surface(ray, crossing, rec);
+    if (!all(rec.normal.x == rec.normal.x)) put_against(ray, rec);
+}
+
+}  // namespace detail
+
+/// Records what every surface records alike: t, the point, how far that may be off, and the side.
+/// \param bend  the smallest radius at which the surface curves; 0 if it is flat
+template <real T, real N, real R, class W>
+RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec, T bend = T(0)) {
+    rec.t = T(c.t) + T(0);  // never -0
+    rec.point = vec3<T>(sum_as<W>(ray.origin, product_as<W>(ray.direction, c.t)));
+    const T reach = norm1(rec.point);
+    if (!all(is_finite(reach))) detail::put_within_range(rec);
+
+    // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
+    // rounding of the point to T. The smallest normal number stands for all that underflows.
+    constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>, up = 1 + 4 * in_t;
+    const T least(least_normal<T>), most(std::numeric_limits<scalar_t<T>>::max());
+    const T of_t = min(T(c.error + bound_t<W>(least)), most);
+    // A ray that leaves at the angle of the normal's own rounding must not meet a curved surface again, and every
+    // crossing of a point that is off by this much has to be certain in double_double.
+    const T floor = bend * T(4 * in_t * in_t) + (bend + reach) * T(0x1p-88) + least;
+    vec3<T> error = vec3<T>(abs(ray.direction) * R(of_t)) + vec3<T>(abs(ray.origin) * R(in_w));
+    error += abs(rec.point) * T(in_t + in_w);
+    error = error * T(up) + vec3<T>(floor);
+    rec.error = {min(most, error.x), min(most, error.y), min(most, error.z)};  // `most` also for what is not a number
+    rec.index = index_t<T>{};
+    rec.front_face = c.entering;
+}
+
+/// Keeps a recorded point within the bounds: that of a ray that grazes a tip, where W, as the last precision, does not
+/// know t well, may have come to lie beyond them.
+/// \param bounds  answers with them, to be asked only then
+template <class W, real T, real N, class Bounds>
+RAIO_FN constexpr void keep_in_bounds([[maybe_unused]] hit_record<T, N>& rec, [[maybe_unused]] Bounds bounds) {
+    if constexpr (std::same_as<W, double_double>) {
+        constexpr double rounding = (1 + 0x1p-7) * unit_roundoff<T>;  // `padded` has room for that 128th
+        if (norm1(rec.error) > norm1(rec.point) * T(rounding)) rec.point = nearest_in(bounds(), rec.point);
+    }
+}
+
+/// Records a point that lies between corners: seen edge-on or from far away, the computed one may lie beyond them.
+template <class W, real R, real T, real N>
+RAIO_FN constexpr void record_point_between(const aabb<T>& corners, const ray<R>& ray, const crossing<W>& c,
+                                            hit_record<T, N>& rec, T bend = T(0)) {
+    record_point(ray, c, rec, bend);
+    rec.point = nearest_in(corners, rec.point);
+}
+
+}  // namespace raio

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <raio/lanes.hpp>
+#include <raio/record.hpp>
+#include <raio/window.hpp>
+
+/// \file
+/// How packs are settled: in each lane as the plain number there, bit for bit.
+///
+/// The formula in the pack's own precision is a sieve. Its crossings state their errors, so of most lanes it is known
+/// whether they are hit. What is recorded of those that are is found in packs of strict_double, operation by operation
+/// as that of a plain float. Whatever is open after that is asked of the plain shape in its lane.
+
+namespace raio {
+
+namespace detail {
+
+/// What a pack knows of the crossings in its lanes: those in `sure` lie in [low, high], and that in the window; those
+/// in `open` may do anything.
+template <class T>
+struct sifted {
+    mask_t<T> sure, open;
+    T low, high;
+};
+
+/// Between which numbers the exact t comes to lie once it is rounded to T, and where that is.
+template <class T, class W>
+struct rounded_crossing {
+    T low, high;
+    mask_t<T> inside, before, beyond, nowhere;  ///< known to be in the window, before it, beyond it, or not at all
+
+    RAIO_FN rounded_crossing(const crossing<W>& c, const T& t_min, const T& t_max)
+        : low(c.t - c.error), high(c.t + c.error) {
+        const mask_t<T> certain = c.certain, exists = every(certain, c.exists);
+        inside = every(exists, t_min <= low, high <= t_max);
+        before = every(exists, high < t_min);
+        beyond = every(exists, t_max < low);
+        nowhere = every(certain, !exists);
+    }
+};
+
+template <class T, class W>
+RAIO_FN sifted<T> sift(const crossing<W>& c, const T& t_min, const T& t_max) {
+    if (c.missed) return {false, false, T(0), T(0)};
+    const rounded_crossing<T, W> is(c, t_min, t_max);
+    return {is.inside, !some(is.inside, is.before, is.beyond, is.nowhere), is.low, is.high};
+}
+
+/// Of a chord the first that is in the window. That of a tube without caps may have a far end only.
+template <class T, class W>
+RAIO_FN sifted<T> sift(const chord<W>& c, const T& t_min, const T& t_max) {
+    if (missed(c)) return {false, false, T(0), T(0)};
+    const rounded_crossing<T, W> near(c.near, t_min, t_max), far(c.far, t_min, t_max);
+    const mask_t<T> passed = some(near.before, near.nowhere), sure = some(near.inside, every(passed, far.inside));
+    const mask_t<T> out = some(near.beyond, every(passed, some(far.before, far.beyond, far.nowhere)));
+    const mask_t<T> at_near = every(c.near.exists, t_min <= near.low);
+    return {sure, !some(sure, out), select(at_near, near.low, far.low), select(at_near, near.high, far.high)};
+}
+
+/// Is the formula of the shape one for many lanes at once?
+template <class Shape, class T>
+concept sifts = requires(const Shape shape, const ray<T> ray, const T t) {
+    sift(shape.template crossings<T>(ray), t, t);
+};
+
+/// What is at infinity is missed.
+template <class T>
+RAIO_FN T within_numbers(const T& t_max) {
+    return min(t_max, T(std::numeric_limits<scalar_t<T>>::max()));
+}
+
+}  // namespace detail
+
+/// `occluded` of every shape of packs.
+template <detail::has_lanes T, class Shape, real R>
+[[gnu::flatten]] RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
+    if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
+        t_max = detail::within_numbers(t_max);
+        const auto found =
+            detail::sift(detail::crossings_for<T, detail::question::whether>(shape, ray, t_min, t_max), t_min, t_max);
+        const std::uint32_t open = bits(found.open);
+        if (open == 0) [[likely]]
+            return found.sure;
+        return some(found.sure, detail::any_hit_in_lanes(shape, ray, t_min, t_max, open));
+    } else {
+        return detail::any_hit_in_lanes(shape, ray, t_min, t_max);
+    }
+}
+
+/// `hit` of every shape of packs.
+/// \tparam Asked  `only_where` if there is a crossing beyond doubt in every lane
+template <detail::question Asked = detail::question::where, detail::has_lanes T, class Shape, real R, real N>
+[[gnu::flatten]] RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
+                                             hit_record<T, N>& rec) {
+    using W = working_t<T>;
+    std::uint32_t left = detail::every_lane<T>;  // who has not been answered
+    if constexpr (std::same_as<R, T> && detail::sifts<Shape, T> && Asked != detail::question::only_where) {
+        const T last = detail::within_numbers(t_max);
+        const auto found = detail::sift(detail::crossings_for<T, Asked>(shape, ray, t_min, last), t_min, last);
+        left = bits(found.sure) | bits(found.open);
+        if (left == 0) return false;
+    }
+    hit_record<T, N> candidate;
+    hit_record<T, N>* to = &candidate;
+    mask_t<T> met(false);
+    if constexpr (detail::sifts<Shape, T> && unit_roundoff<W> < unit_roundoff<T>) {
+        detail::keep_as_stored<T>(shape, ray);
+        auto [first, known] =
+            detail::settled_in_window<Asked>(detail::crossings_for<W, Asked>(shape, ray, t_min, t_max), t_min, t_max);
+        met = every(known, first.exists);
+        left &= ~bits(known);
+        if (all(met)) to = &rec;
+        detail::record(shape, ray, first, *to);
+    }
+    if (left != 0) met = some(met, detail::first_hit_in_lanes(shape, ray, t_min, t_max, candidate, left));
+    if (to != &rec) assign(met, rec, candidate);
+    return met;
+}
+
+/// Where the lines of packs are inside a convex solid. (There is room for one span in each lane.)
+template <class Shape, detail::has_lanes R>
+requires detail::sifts<Shape, typename Shape::number> RAIO_FN auto inside_of(const Shape& shape, const ray<R>& ray) {
+    return detail::spans_in_lanes(shape, ray);
+}
+
+}  // namespace raio
