@@ -78,18 +78,18 @@ void add_tree(const std::string& scene, const std::string& contender, const lazy
     }
 }
 
-/// Registers SCENE/packets/CONTENDER: the rays of a picture, sixteen at a time.
-/// \param ask  answers with how many of sixteen rays hit, given the tree, the rays and where they end
-template <class Tree, class Ask>
+/// Registers SCENE/packets/CONTENDER: the rays of a picture, so many at a time.
+/// \param ask  answers with how many of these rays hit, given the tree, the rays and where they end
+template <std::size_t Count, class Tree, class Ask>
 void add_packets(const std::string& scene, const std::string& contender, const lazy<Tree>& tree,
                  const lazy<std::vector<ray_set>>& rays, Ask ask) {
-    constexpr std::size_t count = packet_side * packet_side;
     const auto trace_packets = [=](benchmark::State& state) {
         const ray_set& set = (*rays)[ray_kinds.size()];
+        const Tree& asked = *tree;  // which is made before the time counts
         for (auto _ : state) {
             std::size_t hits = 0;
-            for (std::size_t i = 0; i < set.rays.size(); i += count) {
-                hits += ask(*tree, std::span<const raio::ray<float>, count>(&set.rays[i], count), set.t_max);
+            for (std::size_t i = 0; i < set.rays.size(); i += Count) {
+                hits += ask(asked, std::span<const raio::ray<float>, Count>(&set.rays[i], Count), set.t_max);
             }
             benchmark::DoNotOptimize(hits);
         }

@@ -10,22 +10,23 @@
 
 namespace {
 
-constexpr std::size_t packet = bench::packet_side * bench::packet_side;
+constexpr std::size_t square = bench::square_side * bench::square_side;
+constexpr std::size_t quarter = bench::quarter_side * bench::quarter_side;
 
-std::size_t hits_of_packet(const bench::triangle_tree& tree, std::span<const raio::ray<float>, packet> rays,
+std::size_t hits_of_square(const bench::triangle_tree& tree, std::span<const raio::ray<float>, square> rays,
                            float t_max) {
-    std::array<raio::hit_record<float>, packet> recs;
+    std::array<raio::hit_record<float>, square> recs;
     const std::uint64_t hits = tree.hit(rays, 0, t_max, recs);
     benchmark::DoNotOptimize(std::as_const(recs));
     return static_cast<std::size_t>(std::popcount(hits));
 }
 
 #ifdef RAIO_BENCH_EMBREE
-std::size_t hits_of_embree(const peers::embree& tree, std::span<const raio::ray<float>, packet> rays, float t_max) {
+std::size_t hits_of_embree(const peers::embree& tree, std::span<const raio::ray<float>, quarter> rays, float t_max) {
     RTCRayHit16 recs;
     tree.hit_coherent(rays, 0, t_max, recs);
     benchmark::DoNotOptimize(std::as_const(recs));
-    return packet - static_cast<std::size_t>(std::ranges::count(recs.hit.geomID, RTC_INVALID_GEOMETRY_ID));
+    return quarter - static_cast<std::size_t>(std::ranges::count(recs.hit.geomID, RTC_INVALID_GEOMETRY_ID));
 }
 #endif
 
@@ -38,7 +39,7 @@ void add(const bench::scene& scene) {
         bench::add_tree<raio::hit_record<float>>(scene.name, name, tree, rays);
     };
     add_raio("raio", standard);
-    bench::add_packets(scene.name, "raio", standard, rays, hits_of_packet);
+    bench::add_packets<square>(scene.name, "raio", standard, rays, hits_of_square);
     add_raio("raio_high", bench::lazy_raio_tree(mesh.triangles, bvh_quality::high));
     add_raio("raio_compact", bench::lazy([of = mesh.mesh] { return bench::raio_compact_tree(*of); }));
     const bench::lazy inexact([of = mesh.triangles] { return std::make_unique<peers::inexact_tree>(*of); });
@@ -50,8 +51,8 @@ void add(const bench::scene& scene) {
                                        bench::lazy_embree_tree(mesh.mesh, options), rays);
         };
         add_embree("embree", {.isa = isa});
-        bench::add_packets(scene.name, bench::name_with_isa("embree", isa),
-                           bench::lazy_embree_tree(mesh.mesh, {.isa = isa}), rays, hits_of_embree);
+        bench::add_packets<quarter>(scene.name, bench::name_with_isa("embree", isa),
+                                    bench::lazy_embree_tree(mesh.mesh, {.isa = isa}), rays, hits_of_embree);
         add_embree("embree_high", {.isa = isa, .quality = RTC_BUILD_QUALITY_HIGH});
         add_embree("embree_robust", {.isa = isa, .robust = true});
     }

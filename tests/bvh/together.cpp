@@ -37,29 +37,48 @@ struct balls_and_rays {
         for (ray<float>& r : rays) r.direction += within<float>(random, 0.02) * norm1(to);
     }
 
-    template <class Visit>
-    bool visit(Visit visit) const {
-        return detail::visit_leaves_together(tree, std::span<const ray<float>>(rays), 0.0f, infinity<float>, visit);
+    template <class Visit, class Far>
+    bool visit(Visit visit, Far far_of) const {
+        const detail::rays_in_lanes<float> lanes{std::span<const ray<float>>(rays)};
+        return detail::visit_leaves_together(tree, lanes, rays.size(), 0.0f, infinity<float>, visit, far_of);
     }
 };
+
+constexpr auto endlessly = [](std::size_t) { return infinity<float>; };
+
+/// The numbers of the bits that are set.
+std::vector<std::size_t> numbers_of(std::uint64_t bits) {
+    std::vector<std::size_t> numbers;
+    for (; bits != 0; bits &= bits - 1) numbers.push_back(static_cast<std::size_t>(std::countr_zero(bits)));
+    return numbers;
+}
 
 }  // namespace
 
 TEST_CASE("together: each ray is shown all leaves with shapes that it meets, and none that are far from it") {
     random_numbers random(31);
     int bundles = 0;
+    int left_out = 0;
     std::size_t shown = 0, blocks = 0;
     for (int i = 0; i < 500; ++i) {
         const balls_and_rays all(random);
         const auto& leaves = std::get<0>(all.tree.leaves.all);
         std::vector<std::vector<bool>> seen(all.rays.size(), std::vector<bool>(leaves.size()));
-        const bool together = all.visit([&](std::size_t ray, auto kind, std::uint32_t block) {
+        const auto visit = [&](auto kind, std::uint32_t block, std::uint64_t of, auto near) {
             static_assert(kind() == 0);
-            REQUIRE(!seen.at(ray).at(block));
-            seen[ray][block] = true;
-            ++shown;
-            return infinity<float>;
-        });
+            const std::uint32_t boxes = near(leaves.shapes(block).bounds()) & leaves.used(block);
+            for (const std::size_t ray : numbers_of(of)) {
+                REQUIRE(!seen.at(ray).at(block));
+                seen[ray][block] = true;
+                ++shown;
+                for (const std::size_t lane : numbers_of(leaves.used(block) & ~boxes)) {
+                    const auto& ball = leaves.shape(block, static_cast<unsigned>(lane));
+                    REQUIRE(!ball.occluded(all.rays[ray], 0.0f, infinity<float>));
+                }
+            }
+            left_out += std::popcount(leaves.used(block) & ~boxes);
+        };
+        const bool together = all.visit(visit, endlessly);
         if (!together) continue;
         ++bundles, blocks += all.rays.size() * leaves.size();
         for (std::size_t k = 0; k < all.rays.size(); ++k) {
@@ -74,6 +93,7 @@ TEST_CASE("together: each ray is shown all leaves with shapes that it meets, and
     }
     CHECK(bundles > 100);
     CHECK(shown < blocks / 4);
+    CHECK(left_out > bundles);
 }
 
 TEST_CASE("together: a ray that wants no more is shown no more, the others are") {
@@ -82,10 +102,11 @@ TEST_CASE("together: a ray that wants no more is shown no more, the others are")
     for (int i = 0; i < 500; ++i) {
         const balls_and_rays all(random);
         std::vector<int> count(all.rays.size(), 0);
-        bundles += all.visit([&](std::size_t ray, auto, std::uint32_t) {
-            ++count.at(ray);
-            return ray == 0 ? -infinity<float> : infinity<float>;
-        });
+        bundles += all.visit(
+            [&](auto, std::uint32_t, std::uint64_t of, auto) {
+                for (const std::size_t ray : numbers_of(of)) ++count.at(ray);
+            },
+            [](std::size_t ray) { return ray == 0 ? -infinity<float> : infinity<float>; });
         CHECK(count[0] <= 1);
         more += std::ranges::any_of(count, [](int n) { return n > 1; }) ? 1 : 0;
     }
@@ -100,8 +121,10 @@ TEST_CASE("together: nothing is done for rays of which one runs another way, or 
     const auto visits = [&](const vec3<float>& direction) {
         int count = 0;
         const std::vector<ray<float>> rays{{from, to}, {from, direction}};
-        const auto visit = [&](std::size_t, auto, std::uint32_t) { return ++count, infinity<float>; };
-        const bool together = detail::visit_leaves_together(all.tree, std::span(rays), 0.0f, infinity<float>, visit);
+        const auto visit = [&](auto, std::uint32_t, std::uint64_t, auto) { ++count; };
+        const detail::rays_in_lanes<float> lanes{std::span(rays)};
+        const bool together =
+            detail::visit_leaves_together(all.tree, lanes, rays.size(), 0.0f, infinity<float>, visit, endlessly);
         CHECK(together == (count > 0));
         return count;
     };
@@ -110,11 +133,11 @@ TEST_CASE("together: nothing is done for rays of which one runs another way, or 
     CHECK(visits({-to.x, to.y, to.z}) == 0);
     CHECK(visits({0, 0, 0}) == 0);
     CHECK(visits({to.x, std::numeric_limits<float>::quiet_NaN(), to.z}) == 0);
-    const auto visit = [](std::size_t, auto, std::uint32_t) { return infinity<float>; };
-    const std::span<const ray<float>> one(all.rays.data(), 1);
-    CHECK(!detail::visit_leaves_together(all.tree, one, 2.0f, 1.0f, visit));
-    CHECK(detail::visit_leaves_together(all.tree, one, 1.0f, 1.0f, visit));
-    CHECK(!detail::visit_leaves_together(detail::assembled<sphere<float>>(), one, 0.0f, 1.0f, visit));
+    const auto visit = [](auto, std::uint32_t, std::uint64_t, auto) {};
+    const detail::rays_in_lanes<float> one{std::span<const ray<float>>(all.rays.data(), 1)};
+    CHECK(!detail::visit_leaves_together(all.tree, one, 1, 2.0f, 1.0f, visit, endlessly));
+    CHECK(detail::visit_leaves_together(all.tree, one, 1, 1.0f, 1.0f, visit, endlessly));
+    CHECK(!detail::visit_leaves_together(detail::assembled<sphere<float>>(), one, 1, 0.0f, 1.0f, visit, endlessly));
 }
 
 }  // namespace raio::test

@@ -141,7 +141,7 @@ TEST_CASE("traverse: as deep a tree as any, in which all children wait but the n
     std::array<float, ray_bundle::most> far;
     far.fill(infinity<float>);
     detail::traverse(nodes, ray_bundle(std::span(rays), 1.0f, random_box_reach), 0, far,
-                     [&](std::uint32_t leaf, std::uint32_t) { found_together.add(leaf); });
+                     [&](std::uint32_t leaf, std::uint64_t, float) { found_together.add(leaf); });
     for (const visits* v : {&found, &found_any, &found_together}) CHECK(v->count == static_cast<int>(leaf_count));
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("traverse: a window of one point is a window") {
         std::array<float, ray_bundle::most> far;
         far.fill(t);
         detail::traverse(nodes, ray_bundle(std::span(rays), 1.0f, 8.0f), t, far,
-                         [&](std::uint32_t, std::uint32_t of) { found_together += std::popcount(of & 3); });
+                         [&](std::uint32_t, std::uint64_t of, float) { found_together += std::popcount(of & 3); });
         CHECK((found == leaves && found_any == leaves && found_together == 2 * leaves));
     }
 }
@@ -191,7 +191,7 @@ TEST_CASE("traverse: of a node's children the nearer first") {
         std::array<float, ray_bundle::most> far;
         far.fill(t_max);
         detail::traverse(tree.nodes, ray_bundle(std::span(rays), 1.0f, 40.0f), 0, far,
-                         [&](std::uint32_t leaf, std::uint32_t) {
+                         [&](std::uint32_t leaf, std::uint64_t, float) {
                              order_together.push_back(tree.boxes[detail::child::block(leaf)].low(0) * r.direction.x);
                          });
         REQUIRE(order_together == order);
@@ -258,15 +258,16 @@ TEST_CASE("traverse: leaves with all rays of a bundle that meet them, each as fa
         // One ray has enough once it has seen a leaf, the others never have.
         const auto content = static_cast<std::size_t>(random.integer(0, static_cast<int>(rays.size()) - 1));
         visits found{std::vector<bool>(tree.boxes.size())};
-        std::vector<std::uint32_t> rays_at(tree.boxes.size(), 0);
-        detail::traverse(tree.nodes, bundle, t_min, t_max, [&](std::uint32_t leaf, std::uint32_t of) {
-            REQUIRE((of >> rays.size()) == 0);
+        std::vector<std::uint64_t> rays_at(tree.boxes.size(), 0);
+        detail::traverse(tree.nodes, bundle, t_min, t_max, [&](std::uint32_t leaf, std::uint64_t of, float farthest) {
+            REQUIRE((of & ~(~std::uint64_t{0} >> (64 - rays.size()))) == 0);
+            REQUIRE(farthest == std::ranges::max(t_max));
             rays_at[found.add(leaf)] = of;
             if ((of >> content & 1) != 0) t_max[content] = -infinity<float>;
         });
         for (std::size_t k = 0; k < rays.size(); ++k) {
             std::vector<bool> at;
-            for (const std::uint32_t of : rays_at) at.push_back((of >> k & 1) != 0);
+            for (const std::uint64_t of : rays_at) at.push_back((of >> k & 1) != 0);
             const auto least = boxes_met(tree.boxes, rays[k], t_min, asked[k]);
             if (k != content) {
                 check_between(least, at, boxes_met(tree.boxes, rays[k], t_min, asked[k], 1e-3));

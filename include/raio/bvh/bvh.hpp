@@ -3,6 +3,7 @@
 #include <raio/bvh/assemble.hpp>
 #include <raio/bvh/hit_list.hpp>
 #include <raio/bvh/nearest.hpp>
+#include <raio/bvh/nearest_together.hpp>
 #include <raio/bvh/together.hpp>
 #include <raio/compose/group.hpp>
 #include <raio/compose/mesh.hpp>
@@ -99,18 +100,18 @@ public:
     /// \param recs  as many; those of rays that miss are left as they are
     std::uint64_t hit(std::span<const ray<T>> rays, T t_min, T t_max, std::span<hit_record<T>> recs) const {
         return detail::for_each_bundle(rays, [&](std::span<const ray<T>> some, std::size_t first) {
-            std::array<std::optional<detail::nearest<T, leaves, T, T>>, detail::ray_bundle::most> queries;
-            for (std::size_t i = 0; i < some.size(); ++i) {
-                queries[i].emplace(tree_.leaves, some[i], t_min, t_max, recs[first + i]);
-            }
-            const auto visit = [&](std::size_t i, auto kind, std::uint32_t block) {
-                queries[i]->template visit<kind()>(block);
-                return queries[i]->farthest();
-            };
-            const bool together = detail::visit_leaves_together(tree_, some, t_min, t_max, visit);
-            return detail::bits_of(some.size(), [&](std::size_t i) {
-                return together ? queries[i]->finish() : hit(some[i], t_min, t_max, recs[first + i]);
-            });
+            const detail::rays_in_lanes<T> lanes(some);
+            detail::nearest_together<T, leaves> query(tree_.leaves, some, lanes, t_min, t_max,
+                                                      recs.subspan(first, some.size()));
+            const bool together = detail::visit_leaves_together(
+                tree_, lanes, some.size(), t_min, t_max,
+                [&](auto kind, std::uint32_t block, std::uint64_t of, auto near) {
+                    query.template visit<kind()>(block, of, near);
+                },
+                [&](std::size_t i) { return query.farthest(i); });
+            if (together) return query.finish();
+            return detail::bits_of(some.size(),
+                                   [&](std::size_t i) { return hit(some[i], t_min, t_max, recs[first + i]); });
         });
     }
 
@@ -118,11 +119,15 @@ public:
     std::uint64_t occluded(std::span<const ray<T>> rays, T t_min, T t_max) const {
         return detail::for_each_bundle(rays, [&](std::span<const ray<T>> some, std::size_t) {
             std::array<bool, detail::ray_bundle::most> found{};
-            const auto visit = [&](std::size_t i, auto kind, std::uint32_t block) {
-                found[i] = meets_any<kind()>(block, some[i], t_min, t_max);
-                return found[i] ? -infinity<T> : t_max;
+            const auto visit = [&](auto kind, std::uint32_t block, std::uint64_t of, auto) {
+                for (; of != 0; of &= of - 1) {
+                    const auto i = static_cast<std::size_t>(std::countr_zero(of));
+                    found[i] = meets_any<kind()>(block, some[i], t_min, t_max);
+                }
             };
-            const bool together = detail::visit_leaves_together(tree_, some, t_min, t_max, visit);
+            const bool together =
+                detail::visit_leaves_together(tree_, detail::rays_in_lanes<T>(some), some.size(), t_min, t_max, visit,
+                                              [&](std::size_t i) { return found[i] ? -infinity<T> : t_max; });
             return detail::bits_of(
                 some.size(), [&](std::size_t i) { return together ? found[i] : occluded(some[i], t_min, t_max); });
         });

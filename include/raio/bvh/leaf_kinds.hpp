@@ -6,6 +6,14 @@
 
 namespace raio::detail {
 
+/// Where a shape stands: in which lane of which block of which kind of leaves.
+struct place_in_leaves {
+    std::size_t kind;
+    std::uint32_t block;
+    unsigned lane;
+    std::uint32_t id;
+};
+
 /// The leaves of all kinds, and the leaf that a child is.
 template <class... Leaves>
 class leaf_kinds {
@@ -31,6 +39,36 @@ public:
             return findings<T, std::remove_cvref_t<decltype(leaves)>::lanes>{
                 .sure = 0, .open = leaves.near(i, ray, t_min, t_max), .low = {}, .high = {}};
         }
+    }
+
+    template <std::size_t Kind>
+    place_in_leaves place(std::uint32_t block, unsigned lane) const {
+        return {Kind, block, lane, std::get<Kind>(all).id(block, lane)};
+    }
+
+    /// What `hit` records of the shape at that place, which is known to be hit.
+    template <class R, class T, class N>
+    void record(const place_in_leaves& at, const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
+        with_kind(static_cast<std::uint32_t>(at.kind), [&](auto kind) {
+            const auto& shape = std::get<kind()>(all).shape(at.block, at.lane);
+            if constexpr (gatherable<std::remove_cvref_t<decltype(shape)>>) {
+                first_hit<question::only_where>(shape, ray, t_min, t_max, rec);  // packs are certain of it
+            } else {
+                detail::hit(shape, ray, t_min, t_max, rec);
+            }
+        });
+        rec.index = at.id;
+    }
+
+    /// `hit` of the shape at that place.
+    template <class R, class T, class N>
+    bool hit(const place_in_leaves& at, const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
+        bool met = false;
+        with_kind(static_cast<std::uint32_t>(at.kind), [&](auto kind) {
+            met = detail::hit(std::get<kind()>(all).shape(at.block, at.lane), ray, t_min, t_max, rec);
+        });
+        if (met) rec.index = at.id;
+        return met;
     }
 
     /// Calls `visit` with the number of the kind, as a constant.

@@ -28,9 +28,36 @@ public:
             // Nobody knows but the plain shapes. They are asked at once: what is found shortens the way.
             auto found = leaves_.template find<Kind>(block, ray_, t_min_, high_);
             for (; found.open != 0; found.open &= found.open - 1) {
-                settle<Kind>(place_of<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open))));
+                settle(leaves_.template place<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open))));
             }
         }
+    }
+
+    /// Takes in what packs say of a shape: that it is hit between `low` and `high`.
+    void consider(const place_in_leaves& at, T low, T high) {
+        if (exists_ && high_ < low) return;
+        if (!exists_ || high < low_) {
+            take(at, low, high);
+        } else {
+            wait(at);
+        }
+    }
+
+    /// Lets a shape wait that packs leave open.
+    void wait(const place_in_leaves& at) {
+        if (open_count_ == open_.size()) settle_open();
+        open_[open_count_++] = at;
+    }
+
+    /// The nearest so far, if it has yet to be recorded.
+    const place_in_leaves* unrecorded() const { return exists_ && !exact_ ? &at_ : nullptr; }
+
+    /// Takes in what it records.
+    void record(const hit_record<T, N>& found) {
+        rec_ = found;
+        rec_.index = at_.id;
+        exact_ = true;
+        low_ = high_ = rec_.t;
     }
 
     /// Answers the question, once everything has been seen.
@@ -41,76 +68,45 @@ public:
     }
 
 private:
-    struct place {
-        std::size_t kind;
-        std::uint32_t block;
-        unsigned lane;
-        std::uint32_t id;
-    };
-
-    template <std::size_t Kind>
-    place place_of(std::uint32_t block, unsigned lane) const {
-        return {Kind, block, lane, std::get<Kind>(leaves_.all).id(block, lane)};
-    }
-
     /// Takes what packs are certain of, and lets wait what they leave open.
     template <std::size_t Kind>
     void sift(std::uint32_t block) {
         auto found = leaves_.template find<Kind>(block, ray_, t_min_, high_);
         for (; found.sure != 0; found.sure &= found.sure - 1) {
             const auto lane = static_cast<unsigned>(std::countr_zero(found.sure));
-            const T low = found.low[lane], high = found.high[lane];
-            if (exists_ && high_ < low) continue;
-            if (!exists_ || high < low_) {
-                take(place_of<Kind>(block, lane), low, high);
-            } else {
-                found.open |= 1u << lane;
-            }
+            consider(leaves_.template place<Kind>(block, lane), found.low[lane], found.high[lane]);
         }
         for (; found.open != 0; found.open &= found.open - 1) {
-            if (open_count_ == open_.size()) settle_open();
-            open_[open_count_++] = place_of<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open)));
+            wait(leaves_.template place<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open))));
         }
     }
 
-    void take(const place& at, T low, T high) {
+    void take(const place_in_leaves& at, T low, T high) {
         at_ = at, low_ = low, high_ = high;
         exists_ = true, exact_ = false;
     }
 
     void make_exact() {
         exact_ = true;
-        Leaves::with_kind(static_cast<std::uint32_t>(at_.kind), [&](auto kind) {
-            const auto& shape = std::get<kind()>(leaves_.all).shape(at_.block, at_.lane);
-            if constexpr (gatherable<std::remove_cvref_t<decltype(shape)>>) {
-                first_hit<question::only_where>(shape, ray_, t_min_, t_max_, rec_);  // packs are certain of it
-            } else {
-                detail::hit(shape, ray_, t_min_, t_max_, rec_);
-            }
-        });
-        rec_.index = at_.id;
+        leaves_.record(at_, ray_, t_min_, t_max_, rec_);
         low_ = high_ = rec_.t;
     }
 
     /// Asks the plain shapes of all lanes that wait.
     [[gnu::noinline]] void settle_open() {
-        for (std::size_t i = 0; i < open_count_; ++i) {
-            Leaves::with_kind(static_cast<std::uint32_t>(open_[i].kind), [&](auto kind) { settle<kind()>(open_[i]); });
-        }
+        for (std::size_t i = 0; i < open_count_; ++i) settle(open_[i]);
         open_count_ = 0;
     }
 
     /// Asks the plain shape.
-    template <std::size_t Kind>
-    void settle(const place& at) {
+    void settle(const place_in_leaves& at) {
         if (exists_ && at.id == at_.id) return;  // a shape may stand in several leaves
         hit_record<T, N> candidate;
-        if (!detail::hit(std::get<Kind>(leaves_.all).shape(at.block, at.lane), ray_, t_min_, high_, candidate)) return;
+        if (!leaves_.hit(at, ray_, t_min_, high_, candidate)) return;
         if (exists_ && !exact_ && !(candidate.t < low_)) make_exact();
         if (exists_ && !(candidate.t < low_ || (candidate.t == low_ && at.id < at_.id))) return;
         take(at, candidate.t, candidate.t);
         rec_ = candidate;
-        rec_.index = at.id;
         exact_ = true;
     }
 
@@ -118,8 +114,8 @@ private:
     const ray<R>& ray_;
     T t_min_, t_max_;
     T low_, high_;  ///< where the nearest is, once there is one
-    place at_{};
-    std::array<place, 8> open_;  ///< lanes that wait
+    place_in_leaves at_{};
+    std::array<place_in_leaves, 8> open_;  ///< lanes that wait
     std::size_t open_count_ = 0;
     bool exists_ = false, exact_ = false;
     hit_record<T, N>& rec_;  ///< of the nearest, if that is exact

@@ -26,27 +26,38 @@ std::uint64_t bits_of(std::size_t count, Answer answer) {
     return bits;
 }
 
-/// Calls `visit` with all leaves that the rays of a bundle may meet, and with the number of each ray that may. Answers
-/// false, and does nothing, if they do not run side by side.
-/// \param visit  answers how far the ray still has to be followed
-template <class Tree, class T, class Visit>
-bool visit_leaves_together(const Tree& tree, std::span<const ray<T>> rays, T t_min, T t_max, Visit visit) {
+/// Calls `visit` with all leaves that the rays of a bundle may meet, with one bit for each ray that may, and with a
+/// function that says of boxes in lanes which of them any ray may meet. Answers false, and does nothing, if the rays do
+/// not run side by side.
+/// \param far_of  answers how far a ray still has to be followed
+template <class Tree, class T, class Visit, class Far>
+bool visit_leaves_together(const Tree& tree, const rays_in_lanes<T>& lanes, std::size_t count, T t_min, T t_max,
+                           Visit visit, Far far_of) {
     using leaves = typename Tree::leaves_type;
     if (tree.nodes.empty() || !(t_min <= t_max)) return false;
-    const ray_bundle bundle(rays, tree.scale, tree.size);
+    const ray_bundle bundle(lanes, tree.scale, tree.size);
     if (!bundle.is_coherent()) return false;
     std::array<float, ray_bundle::most> far;
     far.fill(-infinity<float>);
-    std::fill_n(far.begin(), rays.size(), rounded_up(t_max));
-    const auto visit_leaf = [&](std::uint32_t leaf, std::uint32_t of) {
+    std::fill_n(far.begin(), count, rounded_up(t_max));
+    const float from = rounded_down(t_min);
+    const auto visit_leaf = [&](std::uint32_t leaf, std::uint64_t of, float farthest) {
+        const auto near = [&]<std::size_t N>(const aabb<pack<T, N>>& boxes) {
+            using numbers = pack<float, N>;
+            const auto scaled = [&](const vec3<pack<T, N>>& v) {
+                return vec3<numbers>(numbers(v.x * tree.scale), numbers(v.y * tree.scale), numbers(v.z * tree.scale));
+            };
+            return bundle.boxes_met(aabb<numbers>{scaled(boxes.min), scaled(boxes.max)}, from, farthest);
+        };
         leaves::with_kind(child::kind(leaf), [&](auto kind) {
+            visit(kind, child::block(leaf), of, near);
             for (; of != 0; of &= of - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(of));
-                far[i] = rounded_up(visit(i, kind, child::block(leaf)));
+                far[i] = rounded_up(far_of(i));
             }
         });
     };
-    traverse(tree.nodes, bundle, rounded_down(t_min), far, visit_leaf);
+    traverse(tree.nodes, bundle, from, far, visit_leaf);
     return true;
 }
 

@@ -96,42 +96,55 @@ void traverse_any(std::span<const wide_node> nodes, const node_ray& ray, float t
     } while (visit(next));
 }
 
-/// Calls `visit` with the leaves that rays of a bundle may meet between `t_min` and the ray's own `t_max`, and with one
-/// bit for each of these rays.
+/// The largest of them.
+inline float greatest(const std::array<float, ray_bundle::most>& all) {
+    using four = pack<float, 4>;
+    four most = four::load(all.data());
+    for (std::size_t i = 4; i < all.size(); i += 4) most = four::max(most, four::load(&all[i]));
+    return std::max({most[0], most[1], most[2], most[3]});
+}
+
+/// Calls `visit` with the leaves that rays of a bundle may meet between `t_min` and the ray's own `t_max`, with one
+/// bit for each of these rays, and with how far any ray is followed.
 /// \param t_max  may be brought nearer by `visit`: below `t_min` if the ray wants no more
 template <class Visit>
 void traverse(std::span<const wide_node> nodes, const ray_bundle& bundle, float t_min,
               const std::array<float, ray_bundle::most>& t_max, Visit visit) {
     struct open_child {
         float t;
-        std::uint32_t child, rays;
+        std::uint32_t node, place;  ///< whose child
     };
     using numbers = ray_bundle::numbers;
     std::array<open_child, deepest*(node_width - 1) + 1> stack;
-    stack[0] = {t_min, 0, ~std::uint32_t{0}};
-    std::size_t open = 1;
+    std::size_t open = 0;
+    std::uint32_t current = 0;
     const numbers from(t_min);
-    numbers to = numbers::load(t_max.data());
-    float farthest = std::ranges::max(t_max);
-    while (open != 0) {
-        const open_child current = stack[--open];
-        if (!(current.t <= farthest)) continue;
-        if (child::is_leaf(current.child)) {
-            visit(current.child, current.rays & bits(from <= to));
-            to = numbers::load(t_max.data());
-            farthest = std::ranges::max(t_max);
-            continue;
-        }
-        const wide_node& node = nodes[current.child];
+    float farthest = greatest(t_max);
+    for (;;) {
+        const wide_node& node = nodes[current];
         numbers entry;
         const std::size_t bottom = open;
         for (std::uint32_t met = bundle.children_met(node, from, numbers(farthest), entry); met != 0; met &= met - 1) {
             const auto i = static_cast<unsigned>(std::countr_zero(met));
-            const open_child next{entry[i], node.child_at(i), current.rays & bundle.rays_met(node, i, from, to)};
-            if (next.rays == 0) continue;
+            const open_child next{entry[i], current, i};
             std::size_t at = open++;
             for (; at > bottom && stack[at - 1].t < next.t; --at) stack[at] = stack[at - 1];
             stack[at] = next;
+        }
+        for (;;) {
+            if (open == 0) return;
+            const open_child next = stack[--open];
+            if (!(next.t <= farthest)) continue;
+            const wide_node& parent = nodes[next.node];
+            const std::uint32_t child = parent.child_at(next.place);
+            if (!child::is_leaf(child)) {
+                current = child;
+                break;
+            }
+            const std::uint64_t rays = bundle.rays_met(parent, next.place, from, t_max);
+            if (rays == 0) continue;
+            visit(child, rays, farthest);
+            farthest = greatest(t_max);
         }
     }
 }
