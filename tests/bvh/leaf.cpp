@@ -88,6 +88,37 @@ TEST_CASE_TEMPLATE("leaf_blocks: which boxes a ray of more digits comes near", T
     CHECK(hits > 5'000);
 }
 
+TEST_CASE("leaf_blocks: a ray that was mapped, whose digits are those of a double") {
+    detail::leaf_blocks<triangle<float>> leaves;
+    const detail::leaf_range ranges[] = {{0, 2}};
+    const std::uint32_t ids[] = {0, 1};
+    leaves.resize(ranges);
+    leaves.fill(0, ids, [](std::uint32_t id) {
+        const auto x = static_cast<float>(id);
+        return triangle<float>{{x, 0, -2}, {x + 1, 0, -2}, {x, 1, -2}};
+    });
+    const auto met_at = [&](double x) {
+        const ray<strict_double> r{{x, 0.25, 0}, {0, 0, -1}};
+        const auto found = leaves.find(0, r, 0.0f, infinity<float>);
+        CHECK(found.open == 0);
+        return found.sure;
+    };
+    CHECK(met_at(-1e-12) == 0);  // to a float these are 0, 0.75 and 1
+    CHECK(met_at(1e-12) == 1);
+    CHECK(met_at(0.75 - 1e-12) == 1);
+    CHECK(met_at(0.75 + 1e-12) == 0);
+    CHECK(met_at(1 - 1e-12) == 0);
+    CHECK(met_at(1 + 1e-12) == 2);
+
+    // The window is one of floats, and t comes to lie in it once it is one.
+    const auto is_in_window = [&](double z, double speed, float t) {
+        return leaves.find(0, ray<strict_double>{{0.25, 0.25, z}, {0, 0, speed}}, t, t).sure == 1;
+    };
+    for (const double off : {1 - 1e-12, 1.0, 1 + 1e-12}) CHECK(is_in_window(0, -off, 2));
+    for (const double z : {-2 - 1e-60, -2.0, -2 + 1e-60}) CHECK(is_in_window(z, -1, 0));
+    CHECK(!is_in_window(0, -(1 + 1e-6), 2));
+}
+
 TEST_CASE_TEMPLATE("leaf_list: shapes with their ids, each a leaf", T, RAIO_NUMBERS) {
     detail::leaf_list<convex_polyhedron<T>> leaves;
     const auto shape_of = [](std::uint32_t id) {
