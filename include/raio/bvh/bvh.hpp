@@ -110,6 +110,12 @@ public:
                 },
                 [&](std::size_t i) { return query.farthest(i); });
             if (together) return query.finish();
+            if (detail::may_be_split(some)) {  // which run in several octants may do so half by half
+                const std::size_t half = some.size() / 2;
+                const auto of = recs.subspan(first, some.size());
+                return hit(some.first(half), t_min, t_max, of) | hit(some.subspan(half), t_min, t_max, of.subspan(half))
+                                                                     << half;
+            }
             return detail::bits_of(some.size(),
                                    [&](std::size_t i) { return hit(some[i], t_min, t_max, recs[first + i]); });
         });
@@ -128,6 +134,10 @@ public:
             const bool together =
                 detail::visit_leaves_together(tree_, detail::rays_in_lanes<T>(some), some.size(), t_min, t_max, visit,
                                               [&](std::size_t i) { return found[i] ? -infinity<T> : t_max; });
+            if (!together && detail::may_be_split(some)) {
+                const std::size_t half = some.size() / 2;
+                return occluded(some.first(half), t_min, t_max) | occluded(some.subspan(half), t_min, t_max) << half;
+            }
             return detail::bits_of(
                 some.size(), [&](std::size_t i) { return together ? found[i] : occluded(some[i], t_min, t_max); });
         });

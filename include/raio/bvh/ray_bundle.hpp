@@ -69,11 +69,11 @@ public:
                 to.over_direction[axis] = slabs.over_direction, to.enter[axis] = slabs.enter;
                 to.leave[axis] = slabs.leave;
                 const bool first = group_count_ == 1;
-                const auto least = [&](numbers& n, const numbers& x) { n = first ? x : numbers::min(n, x); };
-                const auto most_of = [&](numbers& n, const numbers& x) { n = first ? x : numbers::max(n, x); };
-                least(low[axis], slabs.over_direction), most_of(high[axis], slabs.over_direction);
-                least(low_origin[axis], origin[at]), most_of(high_origin[axis], origin[at]);
-                most_of(slack[axis], slabs.slack);
+                const auto lower = [&](numbers& n, const numbers& x) { n = first ? x : numbers::min(n, x); };
+                const auto raise = [&](numbers& n, const numbers& x) { n = first ? x : numbers::max(n, x); };
+                lower(low[axis], slabs.over_direction), raise(high[axis], slabs.over_direction);
+                lower(low_origin[axis], origin[at]), raise(high_origin[axis], origin[at]);
+                raise(slack[axis], slabs.slack);
             }
         }
         for (unsigned axis = 0; axis < 3; ++axis) {

@@ -18,6 +18,12 @@ std::uint64_t for_each_bundle(std::span<const ray<T>> rays, Answer answer) {
     return all;
 }
 
+/// Are they more than there are lanes?
+template <class T>
+bool may_be_split(std::span<const ray<T>> rays) {
+    return rays.size() > rays_in_lanes<T>::lanes;
+}
+
 /// One bit for each of `count` answers.
 template <class Answer>
 std::uint64_t bits_of(std::size_t count, Answer answer) {
