@@ -71,6 +71,12 @@ public:
         add(v.y);
         add(v.z);
     }
+    template <class T>
+    void add(const hit_record<T>& rec) {
+        add(rec.t);
+        add(rec.point);
+        add(rec.normal);
+    }
     std::uint64_t value() const { return value_; }
 
 private:
@@ -86,9 +92,30 @@ std::uint64_t checksum_of_hits(int rays, Make make) {
         const vec3<T> origin = numbers.point<T>(4), target = numbers.point<T>(1);
         hit_record<T> rec;
         if (!shape.hit({origin, target - origin}, T(0), infinity<T>, rec)) continue;
-        sum.add(rec.t);
-        sum.add(rec.point);
-        sum.add(rec.normal);
+        sum.add(rec);
+    }
+    return sum.value();
+}
+
+/// The same, as many at a time as a pack has lanes.
+template <class P, class Make>
+std::uint64_t checksum_of_packs(int rays, Make make) {
+    using T = scalar_t<P>;
+    portable_numbers numbers;
+    checksum sum;
+    for (int i = 0; i < rays; i += int(P::lanes)) {
+        detail::gathered_numbers<decltype(make(numbers)), P::lanes> shapes;
+        ray<P> along;
+        for (std::size_t lane = 0; lane < P::lanes; ++lane) {
+            shapes.set(lane, make(numbers));
+            const vec3<T> origin = numbers.point<T>(4), target = numbers.point<T>(1);
+            detail::set_lane(along.origin, lane, origin), detail::set_lane(along.direction, lane, target - origin);
+        }
+        hit_record<P> rec;
+        const auto hit = shapes.shapes().hit(along, P(0), P(infinity<T>), rec);
+        for (std::size_t lane = 0; lane < P::lanes; ++lane) {
+            if (hit[lane]) sum.add(detail::in_lane<P>(rec, lane));
+        }
     }
     return sum.value();
 }
@@ -279,6 +306,18 @@ std::vector<std::uint64_t> checksums(int rays) {
 }
 
 }  // namespace
+
+TEST_CASE("the same bits: packs of floats") {
+    using numbers = portable_numbers;
+    const auto check = [](auto make) {
+        const int rays = 16'000;
+        CHECK(checksum_of_packs<pack<float>>(rays, make) == checksum_of_hits<float>(rays, make));
+    };
+    check([](numbers& n) { return sphere<float>{n.point<float>(1), n.length<float>()}; });
+    check([](numbers& n) { return triangle<float>{n.point<float>(1), n.point<float>(1), n.point<float>(1)}; });
+    check([](numbers& n) { return cylinder<float>{n.point<float>(1), n.point<float>(1), n.length<float>()}; });
+    check([](numbers& n) { return cone<float>{n.point<float>(1), n.point<float>(1), n.length<float>()}; });
+}
 
 TEST_CASE("the same bits: float") {
     const std::vector<std::uint64_t> expected{
