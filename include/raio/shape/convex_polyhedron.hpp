@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <ranges>
 #include <vector>
 
 #include <raio/concepts.hpp>
@@ -19,6 +18,31 @@ struct half_space {
     vec3<T> normal;  ///< outward, any length
     T offset;        ///< minus the normal times any point of the plane
 };
+
+namespace detail {
+
+/// A range of planes of packs P, as one lane has them.
+template <class P, class Planes>
+struct planes_in_lane {
+    struct iterator {
+        const planes_in_lane* of;
+        std::size_t i;
+
+        RAIO_FN auto operator*() const { return (*of)[i]; }
+        RAIO_FN iterator& operator++() { return ++i, *this; }
+        RAIO_FN bool operator!=(const iterator& other) const { return i != other.i; }
+    };
+
+    const Planes* planes;
+    std::size_t lane;
+
+    RAIO_FN std::size_t size() const { return std::size(*planes); }
+    RAIO_FN auto operator[](std::size_t i) const { return in_lane<P>((*planes)[i], lane); }
+    RAIO_FN iterator begin() const { return {this, 0}; }
+    RAIO_FN iterator end() const { return {this, size()}; }
+};
+
+}  // namespace detail
 
 /// The points behind all of its planes. Any number of planes, in any order; redundant ones do no harm, contradictory
 /// ones leave nothing, and too few leave a solid without end.
@@ -128,9 +152,8 @@ struct convex_polyhedron {
 
     /// What is in one lane of packs.
     RAIO_FN auto in_lane(std::size_t lane) const requires detail::has_lanes<T> {
-        auto own = std::views::transform(
-            planes, [lane](const half_space<T>& plane) { return detail::in_lane<T>(plane, lane); });
-        return convex_polyhedron<scalar_t<T>, decltype(own)>{own};
+        using own = detail::planes_in_lane<T, Planes>;
+        return convex_polyhedron<scalar_t<T>, own>{own{&planes, lane}};
     }
 
 private:
