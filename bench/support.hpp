@@ -109,6 +109,17 @@ struct occluded {
     }
 };
 
+/// What is said of every measurement: how long a test took, and whether it recorded a normal.
+template <class Result>
+void count_tests(benchmark::State& state) {
+    const double tests = static_cast<double>(state.iterations()) * static_cast<double>(trial_count);
+    using benchmark::Counter;
+    state.SetItemsProcessed(static_cast<std::int64_t>(tests));
+    state.counters["test"] = Counter(tests, Counter::kIsRate | Counter::kInvert);
+    constexpr bool has_normal = requires(Result r) { r.normal; };
+    state.counters["record"] = has_normal ? 1 : 0;
+}
+
 template <class Contender, class Shape>
 void measure(benchmark::State& state, const trials_of<Shape>& trials) {
     using T = raio::number_t<Shape>;
@@ -134,12 +145,7 @@ void measure(benchmark::State& state, const trials_of<Shape>& trials) {
             benchmark::DoNotOptimize(std::as_const(result));
         }
     }
-    const double tests = static_cast<double>(state.iterations()) * static_cast<double>(trial_count);
-    using benchmark::Counter;
-    state.SetItemsProcessed(static_cast<std::int64_t>(tests));
-    state.counters["test"] = Counter(tests, Counter::kIsRate | Counter::kInvert);
-    constexpr bool has_normal = requires(decltype(result) r) { r.normal; };
-    state.counters["record"] = has_normal ? 1 : 0;
+    count_tests<decltype(result)>(state);
     state.counters["hits"] = 100.0 * static_cast<double>(hits) / static_cast<double>(trial_count);
 }
 
@@ -188,12 +194,7 @@ void measure_packs(benchmark::State& state, const trials_of<Shape>& trials) {
             benchmark::DoNotOptimize(std::as_const(result));
         }
     }
-    const double tests = static_cast<double>(state.iterations()) * static_cast<double>(trial_count);
-    using benchmark::Counter;
-    state.SetItemsProcessed(static_cast<std::int64_t>(tests));
-    state.counters["test"] = Counter(tests, Counter::kIsRate | Counter::kInvert);
-    constexpr bool has_normal = requires(decltype(result) r) { r.normal; };
-    state.counters["record"] = has_normal ? 1 : 0;
+    count_tests<decltype(result)>(state);
     state.counters["lanes"] = static_cast<double>(P::lanes);
 }
 
