@@ -73,6 +73,7 @@ TEST_CASE_TEMPLATE("sift: of a chord the first in the window", T, RAIO_NUMBERS) 
             if (decisive.is == state::inside) {
                 CHECK(found.low[3] == T(decisive.t - decisive.error));
                 CHECK(found.high[3] == T(decisive.t + decisive.error));
+                check_lanes(found.at_near, !is_passed);
             }
         }
     }
@@ -94,6 +95,34 @@ TEST_CASE("sift: what double finds, for floats, is rounded to them before it cou
     const auto between = found(1 + u, 0.1 * u, 0, 2);
     CHECK(all(between.sure));
     CHECK((between.low[2] == 1 && between.high[2] == 1 + 2 * static_cast<float>(u)));
+}
+
+TEST_CASE("retrieved: what a sieve is sure of is found again, or left open") {
+    using F = pack<float, 4>;
+    using W = pack<strict_double, 4>;
+    const mask_t<W> yes(true), no(false);
+    const double between_floats = 1 + 0x1p-24;
+    const auto at = [&](double t, double error) { return crossing<W>{yes, yes, W(t), W(error), yes}; };
+    const detail::sifted<F> near{true, false, F(1), F(1.5f), true}, far{true, false, F(2.5f), F(3.5f), false};
+
+    const crossing<W> found = detail::retrieved(near, chord<W>{at(1.25, 0), at(3, 0)});
+    CHECK((all(found.exists) && found.t[3] == 1.25));
+    CHECK(detail::retrieved(far, chord<W>{at(1.25, 0), at(3, 0)}).t[3] == 3.0);
+    CHECK(all(detail::retrieved(near, at(1.25, 0)).exists));
+    const detail::sifted<F> unsure{false, true, F(1), F(1.5f), true};
+    CHECK(none(detail::retrieved(unsure, chord<W>{at(1.25, 0), at(3, 0)}).exists));
+    CHECK(none(detail::retrieved(unsure, at(1.25, 0)).exists));
+
+    const auto left_open = [&](const crossing<W>& c) {
+        return none(detail::retrieved(near, chord<W>{c, at(3, 0)}).exists);
+    };
+    CHECK(left_open(at(between_floats, 0x1p-28)));  // it may be rounded either way
+    CHECK(left_open(at(0.5, 0)));                   // it is not the crossing that the sieve has found
+    CHECK(left_open(at(2, 0)));
+    CHECK(left_open(crossing<W>{yes, no, W(1.25), W(0), yes}));
+    CHECK(left_open(crossing<W>{no, yes, W(1.25), W(0), yes}));
+    CHECK(none(detail::retrieved(near, at(between_floats, 0x1p-28)).exists));
+    CHECK(none(detail::retrieved(near, at(INFINITY, 0)).exists));
 }
 
 }  // namespace raio::test

@@ -14,12 +14,18 @@
 #define RAIO_FN
 #endif
 
-/// Stands before the formulas of shapes, and before what asks for them: whatever these call becomes part of them.
-/// Where a file has many shapes, a compiler's budget for inlining is soon spent, and a formula that is called step by
-/// step costs up to three times as much. GCC is told so once, at `first_hit` and `any_hit`, for all that is called from
-/// there on; Clang, which goes one step at a time, at each step.
+/// Stands before what asks for the formulas of shapes: whatever it calls becomes part of it. Where a file has many
+/// shapes, a compiler's budget for inlining is soon spent, and a formula that is called step by step costs up to three
+/// times as much. Where compiling takes longer than what is compiled will ever run, define RAIO_QUICK_TO_COMPILE.
+#if defined(RAIO_QUICK_TO_COMPILE)
+#define RAIO_FLATTEN
+#else
+#define RAIO_FLATTEN [[gnu::flatten]]
+#endif
+
+/// Stands before the formulas themselves: Clang, which goes one step at a time, is told so at each step.
 #if defined(__clang__)
-#define RAIO_FORMULA [[gnu::flatten]] RAIO_FN
+#define RAIO_FORMULA RAIO_FLATTEN RAIO_FN
 #else
 #define RAIO_FORMULA RAIO_FN
 #endif

@@ -168,10 +168,21 @@ RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, cons
     return difference_as<W>(ray.origin, base) + product_as<W>(ray.direction, t);
 }
 
+/// Is every lane out, so that the rest of a formula may be left? What a sieve has let through is not asked: it hardly
+/// ever is.
+template <class W>
+RAIO_FN constexpr bool may_leave([[maybe_unused]] const mask_t<W>& out) {
+    if constexpr (looks_closer<W>) {
+        return false;
+    } else {
+        return all(out);
+    }
+}
+
 /// Is nothing left to find out: does every lane's line miss, beyond doubt?
 template <class W>
 RAIO_FN constexpr bool missed(const chord<W>& c) {
-    return all(every(!c.near.exists, !c.far.exists, c.near.certain, c.far.certain));
+    return may_leave<W>(every(!c.near.exists, !c.far.exists, c.near.certain, c.far.certain));
 }
 
 /// The chord of a line that misses, or may miss.

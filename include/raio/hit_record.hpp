@@ -26,13 +26,10 @@ RAIO_FN constexpr vec3<T> within_range(const vec3<T>& p) {
     return {clamped(p.x), clamped(p.y), clamped(p.z)};
 }
 
-/// Takes `from` over into `to`, in the lanes of the mask.
+/// Takes `from` over into `to`, in the lanes of the mask. (Not asked whether that is all of them: a pack that is
+/// written where the mask is set need not be read.)
 template <real T, real N>
 RAIO_FN constexpr void assign(mask_t<T> mask, hit_record<T, N>& to, const hit_record<T, N>& from) {
-    if (all(mask)) {
-        to = from;
-        return;
-    }
     to.t = select(mask, from.t, to.t);
     to.point = select(mask, from.point, to.point);
     to.normal = select(mask, from.normal, to.normal);

@@ -69,7 +69,7 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
                                                E(64 * u) * (v * area * c0 + abs(E(s.discriminant))) * E(d2)));
     const mask_t<W> in_range = every(is_finite(a_size + abs(E(square))), d2 >= W(least), axis2 >= W(least));
     const mask_t<W> no = zero != zero, passes = every(in_range, E(a) > E(2) * a_error, square < -square_error);
-    if (all(passes)) return {nowhere<W>(passes), no};
+    if (may_leave<W>(passes)) return {nowhere<W>(passes), no};
 
     W over_d2 = quotient(W(1), d2, zero), w = mn * over_d2, tilt = (s.v + k) * w, b = along * (tilt + W(0.5) * s.c1);
     E over(over_d2), b_size = abs(E(b));
@@ -103,10 +103,11 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     E resolved = E(least) + tie<W>(E(0x1p30 * u * u) * (extent * extent));
     const mask_t<W> wide = every(s.radius > zero, E(s.radius) * E(s.radius) >= resolved);
     const mask_t<W> plain = every(in_range, meets, a_size > E(2) * a_error, farthest <= reach, of_two < reach);
-    mask_t<W> exists = every(plain, wide), certain = plain, hollow = every(plain, a < zero), everywhere = no;
+    mask_t<W> exists = every(plain, wide), certain = some(plain, passes), hollow = every(plain, a < zero),
+              everywhere = no;
     W near = min(x, y), far_end = max(x, y);
     E error = of_two;
-    if (!all(plain)) {
+    if (!all(certain)) {
         // One of the two roots cancels if the equation is as good as linear.
         W c = constant_term(), sum = b + copysign(root, b), only = quotient(c, sum, zero);
         E c_error = its_error(), sum_size = abs(E(sum)), sum_error = b_error + root_error + E(4 * u) * sum_size;

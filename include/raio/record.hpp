@@ -12,17 +12,18 @@ namespace detail {
 
 // Out of line, as what is rare.
 
-template <real T, real N>
-[[gnu::noinline]] RAIO_FN constexpr void put_within_range(hit_record<T, N>& rec) {
-    rec.point = within_range(rec.point);
+template <real T>
+[[gnu::noinline]] RAIO_FN constexpr vec3<T> put_within_range(vec3<T> p) {
+    return within_range(p);
 }
 
 template <real R, real T, real N>
-[[gnu::noinline]] RAIO_FN constexpr void put_against(const ray<R>& ray, hit_record<T, N>& rec) {
+[[gnu::noinline]] RAIO_FN constexpr hit_record<T, N> put_against(const ray<R>& ray, hit_record<T, N> rec) {
     const mask_t<N> has_normal = rec.normal.x == rec.normal.x;
     rec.normal = select(has_normal, rec.normal, -normalize(vec3<N>(ray.direction)));
     const auto number_or_0 = [](const T& x) { return select(x == x, x, T(0)); };
     rec.uv = {number_or_0(rec.uv.x), number_or_0(rec.uv.y)};
+    return rec;
 }
 
 /// What the shape records of a crossing. Where its numbers are so uneven that no normal is left of them, that is
@@ -30,7 +31,7 @@ template <real R, real T, real N>
 template <class Shape, real R, class Crossing, real T, real N>
 RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
     shape.surface(ray, crossing, rec);
-    if (!all(rec.normal.x == rec.normal.x)) put_against(ray, rec);
+    if (!all(rec.normal.x == rec.normal.x)) rec = put_against(ray, rec);
 }
 
 }  // namespace detail
@@ -42,7 +43,7 @@ RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit
     rec.t = T(c.t) + T(0);  // never -0
     rec.point = vec3<T>(sum_as<W>(ray.origin, product_as<W>(ray.direction, c.t)));
     const T reach = norm1(rec.point);
-    if (!all(is_finite(reach))) detail::put_within_range(rec);
+    if (!all(is_finite(reach))) rec.point = detail::put_within_range(rec.point);
 
     // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
     // rounding of the point to T. The smallest normal number stands for all that underflows.

@@ -101,7 +101,7 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T
 /// `occluded` of every shape that has `crossings<W>(ray)`, a crossing or a chord: is there one with t in [t_min,
 /// t_max]?
 template <real T, class Shape, real R>
-[[gnu::flatten]] RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
+RAIO_FLATTEN RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
     return detail::settle<detail::question::whether>(shape, ray, t_min, t_max,
                                                      [](const auto& crossing) { return crossing.exists; });
 }
@@ -109,8 +109,8 @@ template <real T, class Shape, real R>
 /// `hit` of every shape that has also `surface(ray, crossing, rec)`: the same crossing, and what to record of it.
 /// \tparam Asked  `only_where` if there is one beyond doubt
 template <detail::question Asked = detail::question::where, real T, class Shape, real R, real N>
-[[gnu::flatten]] RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
-                                                       hit_record<T, N>& rec) {
+RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
+                                                   hit_record<T, N>& rec) {
     return detail::settle<Asked>(shape, ray, t_min, t_max, [&](const auto& crossing) {
         if (crossing.exists) detail::record(shape, ray, crossing, rec);
         return crossing.exists;

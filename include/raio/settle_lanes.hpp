@@ -8,8 +8,9 @@
 /// How packs are settled: in each lane as the plain number there, bit for bit.
 ///
 /// The formula in the pack's own precision is a sieve. Its crossings state their errors, so of most lanes it is known
-/// whether they are hit. What is recorded of those that are is found in packs of strict_double, operation by operation
-/// as that of a plain float. Whatever is open after that is asked of the plain shape in its lane.
+/// whether they are hit, and where about. What is recorded of those that are is found in packs of strict_double,
+/// operation by operation as that of a plain float. Whatever is open after that is asked of the plain shape in its
+/// lane.
 
 namespace raio {
 
@@ -21,6 +22,7 @@ template <class T>
 struct sifted {
     mask_t<T> sure, open;
     T low, high;
+    mask_t<T> at_near{true};  ///< of two, is it the near one?
 };
 
 /// Between which numbers the exact t comes to lie once it is rounded to T, and where that is.
@@ -54,7 +56,23 @@ RAIO_FN sifted<T> sift(const chord<W>& c, const T& t_min, const T& t_max) {
     const mask_t<T> passed = some(near.before, near.nowhere), sure = some(near.inside, every(passed, far.inside));
     const mask_t<T> out = some(near.beyond, every(passed, some(far.before, far.beyond, far.nowhere)));
     const mask_t<T> at_near = every(c.near.exists, t_min <= near.low);
-    return {sure, !some(sure, out), select(at_near, near.low, far.low), select(at_near, near.high, far.high)};
+    return {sure, !some(sure, out), select(at_near, near.low, far.low), select(at_near, near.high, far.high), at_near};
+}
+
+/// The crossings that a sieve is sure of, in a wider precision: beyond doubt where they exist.
+template <class T, class W>
+RAIO_FN crossing<W> retrieved(const sifted<T>& found, crossing<W> c) {
+    c.exists = every(found.sure, rounds_to_one<T>(c), is_finite(T(c.t)));
+    return c;
+}
+template <class T, class W>
+RAIO_FN crossing<W> retrieved(const sifted<T>& found, const chord<W>& c) {
+    crossing<W> one = select(found.at_near, c.near, c.far);
+    const T t(one.t);
+    const mask_t<T> same =
+        every(found.low <= t, t <= found.high);  // or one precision took another end for the near one
+    one.exists = every(found.sure, one.exists, one.certain, rounds_to_one<T>(one), same);
+    return one;
 }
 
 /// Is the formula of the shape one for many lanes at once?
@@ -62,6 +80,17 @@ template <class Shape, class T>
 concept sifts = requires(const Shape shape, const ray<T> ray, const T t) {
     sift(shape.template crossings<T>(ray), t, t);
 };
+
+/// What the pack's own precision makes of it, with t_max a number.
+template <question Asked, class Shape, class T>
+RAIO_FN sifted<T> sieve(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max) {
+    using found = decltype(crossings_for<T, Asked>(shape, ray, t_min, t_max));
+    if constexpr (Asked == question::only_where && std::same_as<found, crossing<T>>) {
+        return {true, false, t_min, t_max};
+    } else {
+        return sift(crossings_for<T, Asked>(shape, ray, t_min, t_max), t_min, t_max);
+    }
+}
 
 /// What is at infinity is missed.
 template <class T>
@@ -73,7 +102,7 @@ RAIO_FN T within_numbers(const T& t_max) {
 
 /// `occluded` of every shape of packs.
 template <detail::has_lanes T, class Shape, real R>
-[[gnu::flatten]] RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
+RAIO_FLATTEN RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
     if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
         t_max = detail::within_numbers(t_max);
         const auto found =
@@ -90,30 +119,31 @@ template <detail::has_lanes T, class Shape, real R>
 /// `hit` of every shape of packs.
 /// \tparam Asked  `only_where` if there is a crossing beyond doubt in every lane
 template <detail::question Asked = detail::question::where, detail::has_lanes T, class Shape, real R, real N>
-[[gnu::flatten]] RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
-                                             hit_record<T, N>& rec) {
+RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
+                                         hit_record<T, N>& rec) {
     using W = working_t<T>;
+    hit_record<T, N> candidate;
+    mask_t<T> met(false);
     std::uint32_t left = detail::every_lane<T>;  // who has not been answered
-    if constexpr (std::same_as<R, T> && detail::sifts<Shape, T> && Asked != detail::question::only_where) {
-        const T last = detail::within_numbers(t_max);
-        const auto found = detail::sift(detail::crossings_for<T, Asked>(shape, ray, t_min, last), t_min, last);
+    if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
+        detail::sifted<T> found = detail::sieve<Asked>(shape, ray, t_min, detail::within_numbers(t_max));
         left = bits(found.sure) | bits(found.open);
         if (left == 0) return false;
+        if constexpr (unit_roundoff<W> < unit_roundoff<T>) {
+            detail::keep_as_stored<T>(shape, ray);
+            auto first = detail::retrieved(
+                found, detail::crossings_for<W, detail::question::only_where>(shape, ray, t_min, t_max));
+            met = first.exists;
+            left &= ~bits(met);
+            detail::record(shape, ray, first, candidate);
+        }
     }
-    hit_record<T, N> candidate;
-    hit_record<T, N>* to = &candidate;
-    mask_t<T> met(false);
-    if constexpr (detail::sifts<Shape, T> && unit_roundoff<W> < unit_roundoff<T>) {
-        detail::keep_as_stored<T>(shape, ray);
-        auto [first, known] =
-            detail::settled_in_window<Asked>(detail::crossings_for<W, Asked>(shape, ray, t_min, t_max), t_min, t_max);
-        met = every(known, first.exists);
-        left &= ~bits(known);
-        if (all(met)) to = &rec;
-        detail::record(shape, ray, first, *to);
+    if (left != 0) [[unlikely]] {
+        hit_record<T, N> of_lanes = candidate;
+        met = some(met, detail::first_hit_in_lanes(shape, ray, t_min, t_max, of_lanes, left));
+        candidate = of_lanes;
     }
-    if (left != 0) met = some(met, detail::first_hit_in_lanes(shape, ray, t_min, t_max, candidate, left));
-    if (to != &rec) assign(met, rec, candidate);
+    assign(met, rec, candidate);
     return met;
 }
 

@@ -54,13 +54,13 @@ template <int Roundings, bool Spare, class W, class Power>
     E s2_error;
     mask_t<W> brief(false);
     if constexpr (Spare) {
-        // Each of the two terms is off by less than 20 Roundings u of a (l.l + radius^2). Where s^2 is 2^38 times as
-        // much, which it is up to some 20 radii away, the ends of the chord are good to 2^-37 of its half.
+        // Each of the two terms is off by less than 20 Roundings u of a (l.l + radius^2). Where s^2 is 2^35 times as
+        // much, which it is up to some 60 radii away, the ends of the chord are good to 2^-34 of its half.
         W l2 = dot(l, l), r2 = radius * radius;
         s2 = b * b - a * (l2 - r2), s2_error = W(64 * Roundings * u) * (a * (l2 + r2));
         const mask_t<W> passes = s2 < -s2_error;
-        if (all(passes)) return nowhere<W>(true);
-        brief = some(passes, s2 > W(0x1p38) * s2_error);
+        if (may_leave<W>(passes)) return nowhere<W>(true);
+        brief = some(passes, s2 > W(0x1p35) * s2_error);
     }
     if (!all(brief)) {
         vec3<W> moment = cross(l, d);
@@ -90,13 +90,13 @@ template <int Roundings, bool Spare, class W, class Power>
     E resolved = tie<W>(E(0x1p24 * u * u) * (E(b) * E(b)));
     const mask_t<W> sound = a >= W(least), apart = every(sound, s2 < -s2_error);
     const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), ar2 >= W(least) + resolved, radius > W(0));
-    if (none(exists)) return nowhere<W>(apart);
+    if (may_leave<W>(!exists)) return nowhere<W>(apart);
 
     mask_t<W> crossed = every(sound, exists, s2 > s2_error);
     W s = sqrt(max(s2, W(0))), over_a = W(1) / a;
-    // Briefly, the root is off by less than s2_error / s, a 2^38th of it; and b by less than that, since it is by 18
+    // Briefly, the root is off by less than s2_error / s, a 2^35th of it; and b by less than that, since it is by 18
     // Roundings u |l| |d|, and s is at most |d| radius.
-    E error = E(0x1p-37) * E(s) * E(over_a);
+    E error = E(0x1p-34) * E(s) * E(over_a);
     if (!all(brief)) {
         // A chord above a 32nd of the diameter: its ends are then right to 2^9 Roundings u of their distance.
         crossed = every(crossed, some(brief, s2 > W(0x1p-10) * ar2));

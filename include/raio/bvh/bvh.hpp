@@ -72,7 +72,7 @@ public:
         return hit<T, T>(ray, t_min, t_max, rec);
     }
     template <real R, real N>
-    [[gnu::flatten]] bool hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
+    RAIO_FLATTEN bool hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
         detail::nearest<T, leaves, R, N> query(tree_.leaves, ray, t_min, t_max, rec);
         T far = t_max;
         visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block) {
@@ -85,7 +85,7 @@ public:
 
     bool occluded(const ray<T>& ray, T t_min, T t_max) const { return occluded<T>(ray, t_min, t_max); }
     template <real R>
-    [[gnu::flatten]] bool occluded(const ray<R>& ray, T t_min, T t_max) const {
+    RAIO_FLATTEN bool occluded(const ray<R>& ray, T t_min, T t_max) const {
         bool found = false;
         visit_leaves<true>(ray, t_min, t_max, [&](auto kind, std::uint32_t block) {
             found = meets_any<kind()>(block, ray, t_min, t_max);

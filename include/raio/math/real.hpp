@@ -73,6 +73,10 @@ using bound_t = typename real_traits<T>::bound;
 template <class W>
 inline constexpr bool only_sieves = !std::same_as<mask_t<W>, bool> && !std::same_as<scalar_t<W>, strict_double>;
 
+/// Is it packs that take a closer look at what a sieve has let through?
+template <class W>
+inline constexpr bool looks_closer = !std::same_as<mask_t<W>, bool> && std::same_as<scalar_t<W>, strict_double>;
+
 /// `if_true` where the mask is set, `if_false` elsewhere; a pack chooses lane by lane.
 template <std::same_as<bool> Mask, class T>
 RAIO_FN constexpr T select(Mask mask, T if_true, T if_false) {

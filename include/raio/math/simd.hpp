@@ -143,6 +143,7 @@ public:
         return made([&](std::size_t i) { return abs(x.registers_[i]); });
     }
     RAIO_FN friend constexpr pack floor(const pack& x) {
+        if constexpr (detail::floors_any_number) return made([&](std::size_t i) { return floor(x.registers_[i]); });
         // A number this large has no fraction, and would not fit the integers that xsimd takes it to on old processors.
         const mask whole = !(abs(x) < pack(S(1) / std::numeric_limits<S>::epsilon()));
         pack small = select(whole, pack(0), x);
@@ -176,17 +177,14 @@ private:
     }
     template <class F>
     RAIO_FN static constexpr mask compared(F f) {
-        mask result;
-        detail::fill(result.registers_,
-                     [&](std::size_t i) { return std::bit_cast<typename mask::register_type>(f(i)); });
-        return result;
+        return mask::compared(f);
     }
 
     RAIO_FN static constexpr pack selected(const mask& where, const pack& a, const pack& b) {
         // Integers as the floating-point numbers whose mask it is: xsimd 8 selects no others without optimisation.
         using choice = detail::register_of<std::conditional_t<sizeof(S) == 4, float, double>, N>;
         return made([&](std::size_t i) {
-            return std::bit_cast<register_type>(select(where.registers_[i], std::bit_cast<choice>(a.registers_[i]),
+            return std::bit_cast<register_type>(select(where.of_register(i), std::bit_cast<choice>(a.registers_[i]),
                                                        std::bit_cast<choice>(b.registers_[i])));
         });
     }
@@ -209,11 +207,16 @@ struct wide<pack<float, N>> {
     using type = pack<double, N>;
 };
 
-// A mask of numbers of another size becomes numbers, which are converted, and a mask again.
+// A mask that is no bits becomes numbers, which are converted, and a mask again.
 template <std::floating_point S, std::size_t N>
 template <std::floating_point Other>
-requires(!std::same_as<Other, S>) RAIO_FN constexpr pack_mask<S, N>::pack_mask(const pack_mask<Other, N>& other)
-    : pack_mask(pack<S, N>(select(other, pack<Other, N>(1), pack<Other, N>(0))) > pack<S, N>(0)) {}
+requires(!std::same_as<Other, S>) RAIO_FN constexpr pack_mask<S, N>::pack_mask(const pack_mask<Other, N>& other) {
+    if constexpr (is_bits && pack_mask<Other, N>::is_bits) {
+        parts_[0] = other.parts_[0];
+    } else {
+        *this = pack<S, N>(select(other, pack<Other, N>(1), pack<Other, N>(0))) > pack<S, N>(0);
+    }
+}
 
 // One number that converts to a pack: the compiler knows it, as it would not know a pack.
 template <class S, std::size_t N>

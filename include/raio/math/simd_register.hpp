@@ -37,6 +37,13 @@ using register_of = typename decltype(find_register<S, N>())::type;
 template <class S>
 inline constexpr std::size_t native_lanes = xsimd::batch<S>::size;
 
+/// Is there an instruction for it?
+#if XSIMD_WITH_SSE4_1
+inline constexpr bool floors_any_number = true;
+#else
+inline constexpr bool floors_any_number = false;
+#endif
+
 // xsimd 8 cannot say the bits of a mask. Where they have registers of their own, the bits are the mask.
 inline std::uint32_t bits_of(std::unsigned_integral auto mask) { return mask; }
 #if XSIMD_WITH_SSE2
@@ -60,6 +67,14 @@ std::uint32_t bits_of(const xsimd::batch_bool<S, A>& mask) {
     }
 }
 
+// Compilers take these for the two instructions, of which the first is enough.
+#if XSIMD_WITH_AVX512F
+inline __m512 lesser_of(__m512 a, __m512 b) { return _mm512_min_ps(b, a); }
+inline __m512d lesser_of(__m512d a, __m512d b) { return _mm512_min_pd(b, a); }
+inline __m512 greater_of(__m512 a, __m512 b) { return _mm512_max_ps(b, a); }
+inline __m512d greater_of(__m512d a, __m512d b) { return _mm512_max_pd(b, a); }
+#endif
+
 }  // namespace raio::detail
 
 #else
@@ -71,6 +86,7 @@ using register_of = S;
 
 template <class S>
 inline constexpr std::size_t native_lanes = 1;
+inline constexpr bool floors_any_number = true;
 
 RAIO_FN constexpr std::uint32_t bits_of(bool mask) { return mask ? 1 : 0; }
 
@@ -86,6 +102,12 @@ namespace detail {
 template <class Register>
 using register_mask = decltype(std::declval<Register>() < std::declval<Register>());
 
+/// Does the processor answer with bits when registers are compared?
+template <class Register>
+concept has_bit_masks = requires(const register_mask<Register> mask) {
+    requires std::unsigned_integral<std::remove_cvref_t<decltype(mask.data)>>;
+};
+
 /// A register whose floating-point numbers the compiler itself compares and selects.
 template <class Register>
 concept native_register = std::floating_point<typename Register::value_type> && requires(const Register a) {
@@ -96,7 +118,9 @@ concept native_register = std::floating_point<typename Register::value_type> && 
 /// answers for a NaN has changed with its versions.)
 template <class Register>
 RAIO_FN constexpr Register lesser(const Register& a, const Register& b) {
-    if constexpr (native_register<Register>) {
+    if constexpr (requires { lesser_of(a.data, b.data); }) {
+        return Register(lesser_of(a.data, b.data));
+    } else if constexpr (native_register<Register>) {
         return Register(b.data < a.data ? b.data : a.data);
     } else {
         return select(b < a, b, a);
@@ -106,7 +130,9 @@ RAIO_FN constexpr Register lesser(const Register& a, const Register& b) {
 /// In each lane `a`, unless `b` is larger.
 template <class Register>
 RAIO_FN constexpr Register greater(const Register& a, const Register& b) {
-    if constexpr (native_register<Register>) {
+    if constexpr (requires { greater_of(a.data, b.data); }) {
+        return Register(greater_of(a.data, b.data));
+    } else if constexpr (native_register<Register>) {
         return Register(a.data < b.data ? b.data : a.data);
     } else {
         return select(a < b, b, a);
@@ -152,13 +178,20 @@ RAIO_FN constexpr void fill(Register (&registers)[N], F f) {
 
 /// What a comparison of packs answers: yes or no in each of N lanes. One type for all packs of numbers as large as S,
 /// which is `float` or `double`.
+///
+/// Where the processor has masks of bits, it is one bit a lane, whatever the numbers and however many registers they
+/// take: masks of any two packs of N lanes go together then without a conversion.
 template <std::floating_point S, std::size_t N>
 class pack_mask {
 public:
     pack_mask() = default;
     /// The same in every lane.
     RAIO_FN constexpr pack_mask(std::same_as<bool> auto value) {
-        detail::fill(registers_, [&](std::size_t) { return register_type(value); });
+        if constexpr (is_bits) {
+            parts_[0] = value ? every_bit : 0;
+        } else {
+            detail::fill(parts_, [&](std::size_t) { return part(value); });
+        }
     }
 
     /// The same lanes, of packs of numbers of another size.
@@ -168,13 +201,19 @@ public:
     RAIO_FN constexpr bool operator[](std::size_t lane) const { return (bits(*this) >> lane & 1) != 0; }
 
     RAIO_FN friend constexpr pack_mask operator&(const pack_mask& a, const pack_mask& b) {
-        return made([&](std::size_t i) { return a.registers_[i] & b.registers_[i]; });
+        return made([&](std::size_t i) { return a.parts_[i] & b.parts_[i]; });
     }
     RAIO_FN friend constexpr pack_mask operator|(const pack_mask& a, const pack_mask& b) {
-        return made([&](std::size_t i) { return a.registers_[i] | b.registers_[i]; });
+        return made([&](std::size_t i) { return a.parts_[i] | b.parts_[i]; });
     }
     RAIO_FN constexpr pack_mask operator!() const {
-        return made([&](std::size_t i) { return !registers_[i]; });
+        return made([&](std::size_t i) {
+            if constexpr (is_bits) {
+                return parts_[i] ^ every_bit;
+            } else {
+                return !parts_[i];
+            }
+        });
     }
     RAIO_FN friend constexpr pack_mask operator!=(const pack_mask& a, const pack_mask& b) { return (a | b) & !(a & b); }
     RAIO_FN friend constexpr pack_mask operator==(const pack_mask& a, const pack_mask& b) { return !(a != b); }
@@ -187,30 +226,60 @@ public:
 
     RAIO_FN friend constexpr bool any(const pack_mask& mask) { return bits(mask) != 0; }
     RAIO_FN friend constexpr bool none(const pack_mask& mask) { return bits(mask) == 0; }
-    RAIO_FN friend constexpr bool all(const pack_mask& mask) { return bits(mask) == (~std::uint32_t{0} >> (32 - N)); }
+    RAIO_FN friend constexpr bool all(const pack_mask& mask) { return bits(mask) == every_bit; }
 
     /// One bit for each lane, the lowest for the first.
     RAIO_FN friend constexpr std::uint32_t bits(const pack_mask& mask) {
         std::uint32_t all = 0;
-        detail::repeat<count>([&](std::size_t i) { all |= detail::bits_of(mask.registers_[i]) << (i * (N / count)); });
+        detail::repeat<count>([&](std::size_t i) { all |= detail::bits_of(mask.parts_[i]) << (i * (N / count)); });
         return all;
     }
 
 private:
     template <class, std::size_t>
     friend class pack;
+    template <std::floating_point, std::size_t>
+    friend class pack_mask;
 
-    using register_type = detail::register_mask<detail::register_of<S, N>>;
-    static constexpr std::size_t count = N * sizeof(S) / sizeof(detail::register_of<S, N>);
+    static constexpr std::uint32_t every_bit = ~std::uint32_t{0} >> (32 - N);
+
+    using numbers = detail::register_of<S, N>;
+    static constexpr std::size_t registers = N * sizeof(S) / sizeof(numbers);
+    static constexpr bool is_bits = detail::has_bit_masks<numbers>;
+    using part = std::conditional_t<is_bits, std::uint32_t, detail::register_mask<numbers>>;
+    static constexpr std::size_t count = is_bits ? 1 : registers;
 
     template <class F>
     RAIO_FN static constexpr pack_mask made(F f) {
         pack_mask mask;
-        detail::fill(mask.registers_, f);
+        detail::fill(mask.parts_, f);
         return mask;
     }
 
-    register_type registers_[count];
+    /// What a comparison of registers answers; `f` compares those of a number.
+    template <class F>
+    RAIO_FN static constexpr pack_mask compared(F f) {
+        if constexpr (is_bits) {
+            pack_mask mask(false);
+            detail::repeat<registers>(
+                [&](std::size_t i) { mask.parts_[0] |= detail::bits_of(f(i)) << (i * (N / registers)); });
+            return mask;
+        } else {
+            return made([&](std::size_t i) { return std::bit_cast<part>(f(i)); });
+        }
+    }
+
+    /// The mask of a register.
+    RAIO_FN constexpr detail::register_mask<numbers> of_register(std::size_t i) const {
+        if constexpr (is_bits) {
+            using bits_of_register = decltype(detail::register_mask<numbers>::data);
+            return detail::register_mask<numbers>(static_cast<bits_of_register>(parts_[0] >> (i * (N / registers))));
+        } else {
+            return parts_[i];
+        }
+    }
+
+    part parts_[count];
 };
 
 }  // namespace raio

@@ -93,7 +93,8 @@ struct box {
             vec3<W> d(ray.direction);
             certain = every(certain, sound(d.x), sound(d.y), sound(d.z));
         }
-        if (none(meets)) return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
+        if (may_leave<W>(!meets))
+            return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
 
         vec3<T> size = max - min;
         // Of the three sizes the least may be zero, the middle one may not.

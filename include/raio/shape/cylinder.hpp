@@ -52,7 +52,7 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
         every(radius > T(0), E(r2) >= E(least) + resolved, axis2 >= W(least), d2 >= W(least), in_range);
     const mask_t<W> parallel = a == zero, apart = every(sound, s2 < -s2_error);
     const mask_t<W> meets = every(sound, some(parallel, s2 >= -tie<W>(s2_error)));
-    if (none(meets)) return nowhere<W>(apart);
+    if (may_leave<W>(!meets)) return nowhere<W>(apart);
 
     vec3<W> m = cross(l, axis);
     W b = dot(m, n), beside2 = dot(m, m), inner2 = axis2 * r2, under_root = axis2 * max(s2, zero);
