@@ -6,8 +6,9 @@
 
 namespace {
 
-/// A torus that is asked as the primitive of a lane. There is one lane, so that one call is one ray.
-template <class T>
+/// A torus that is asked as the primitive of a lane. There is one lane, so that one call is one ray. (The second
+/// parameter keeps it from being taken for a shape that can be one of packs.)
+template <class T, class = void>
 struct torus_in_a_lane {
     using number = T;
     using P = raio::pack<T, 1>;
