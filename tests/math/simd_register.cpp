@@ -23,6 +23,7 @@ TEST_CASE_TEMPLATE("pack: masks, and masks that are chosen by masks", P, RAIO_PA
         CHECK(any(less) == (bits(less) != 0));
         CHECK(none(less) == (bits(less) == 0));
         CHECK(all(less) == (bits(less) == every_bit));
+        CHECK(bits(!less) == (bits(less) ^ every_bit));
     });
 }
 
