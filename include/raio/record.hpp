@@ -34,6 +34,13 @@ RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Cross
     if (!all(rec.normal.x == rec.normal.x)) rec = put_against(ray, rec);
 }
 
+/// What the error of t counts for at least: a 64th of its rounding. So it is recorded alike by those who know more of
+/// it and those who know less.
+template <real T>
+RAIO_FN constexpr T least_recorded_error(const T& t) {
+    return abs(t) * T(unit_roundoff<T> / 64);
+}
+
 }  // namespace detail
 
 /// Records what every surface records alike: t, the point, how far that may be off, and the side.
@@ -47,9 +54,9 @@ RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit
 
     // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
     // rounding of the point to T. The smallest normal number stands for all that underflows.
-    constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>, up = 1 + 4 * in_t;
+    constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>, up = 1 + 8 * in_t;
     const T least(least_normal<T>), most(std::numeric_limits<scalar_t<T>>::max());
-    const T of_t = min(T(c.error + bound_t<W>(least)), most);
+    const T of_t = min(max(T(c.error), detail::least_recorded_error(rec.t)) + least, most);
     // A ray that leaves at the angle of the normal's own rounding must not meet a curved surface again, and every
     // crossing of a point that is off by this much has to be certain in double_double.
     const T floor = bend * T(4 * in_t * in_t) + (bend + reach) * T(0x1p-88) + least;

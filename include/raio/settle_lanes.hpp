@@ -60,12 +60,23 @@ RAIO_FN sifted<T> sift(const chord<W>& c, const T& t_min, const T& t_max) {
 }
 
 /// The crossings that a sieve is sure of, in a wider precision: beyond doubt where they exist.
-template <class T, class W>
+///
+/// Where a formula finds one crossing, its error bound is the roundoff times what is the same in every precision, but
+/// for the roundings of the bound itself: that of W is taken from the sieve's, with a factor of 16 to spare, and not
+/// reckoned again. `record_point` must not see the difference.
+template <question Asked, class T, class W>
 RAIO_FN crossing<W> retrieved(const sifted<T>& found, crossing<W> c) {
-    c.exists = every(found.sure, rounds_to_one<T>(c), is_finite(T(c.t)));
+    if constexpr (Asked == question::only_where) {
+        c.exists = every(rounds_to_one<T>(c), is_finite(T(c.t)));
+    } else {
+        constexpr double share = 16 * unit_roundoff<W> / unit_roundoff<T>;
+        const T error = (found.high - found.low) * T(share);
+        c.error = bound_t<W>(error);
+        c.exists = every(found.sure, rounds_to_one<T>(c), error <= least_recorded_error(T(c.t)));
+    }
     return c;
 }
-template <class T, class W>
+template <question Asked, class T, class W>
 RAIO_FN crossing<W> retrieved(const sifted<T>& found, const chord<W>& c) {
     crossing<W> one = select(found.at_near, c.near, c.far);
     const T t(one.t);
@@ -127,15 +138,18 @@ RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, 
     std::uint32_t left = detail::every_lane<T>;  // who has not been answered
     if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
         detail::sifted<T> found = detail::sieve<Asked>(shape, ray, t_min, detail::within_numbers(t_max));
-        left = bits(found.sure) | bits(found.open);
+        const std::uint32_t sure = bits(found.sure);
+        left = sure | bits(found.open);
         if (left == 0) return false;
         if constexpr (unit_roundoff<W> < unit_roundoff<T>) {
-            detail::keep_as_stored<T>(shape, ray);
-            auto first = detail::retrieved(
-                found, detail::crossings_for<W, detail::question::only_where>(shape, ray, t_min, t_max));
-            met = first.exists;
-            left &= ~bits(met);
-            detail::record(shape, ray, first, candidate);
+            if (sure != 0) [[likely]] {
+                detail::keep_as_stored<T>(shape, ray);
+                auto first = detail::retrieved<Asked>(
+                    found, detail::crossings_for<W, detail::question::only_where>(shape, ray, t_min, t_max));
+                met = first.exists;
+                left &= ~bits(met);
+                detail::record(shape, ray, first, candidate);
+            }
         }
     }
     if (left != 0) [[unlikely]] {

@@ -148,6 +148,23 @@ void check_lanes_are_plain(int rays) {
     CHECK(hits > rays / 20);
 }
 
+/// Where a formula finds one crossing: what is found again of it in strict_double, to within what the sieve's error
+/// says of that.
+template <class Shape, class P>
+auto crossings_found_again(const packed_probe<Shape, P>& packed) {
+    using D = pack<double, P::lanes>;
+    std::vector<crossing<D>> found;
+    if constexpr (std::same_as<scalar_t<P>, float> &&
+                  requires { packed.shape.template crossings<P>(packed.ray).exists; }) {
+        const P most(std::numeric_limits<float>::max());
+        const auto sieve = detail::sift(packed.shape.template crossings<P>(packed.ray), -most, most);
+        const auto again = detail::retrieved<detail::question::where>(
+            sieve, packed.shape.template crossings<working_t<P>>(packed.ray));
+        found.push_back({again.exists, again.exists, D(again.t), D(again.error), again.entering});
+    }
+    return found;
+}
+
 /// What the crossings of packs are certain of is so.
 template <class Shape, class P>
 void check_crossings_of_lanes(int rays) {
@@ -157,8 +174,10 @@ void check_crossings_of_lanes(int rays) {
         const auto probes = probes_side_by_side<Shape, P::lanes>(random, random_probe<Shape>);
         const packed_probe<Shape, P> packed(probes);
         const auto found = all_crossings<P>(packed.shape, packed.ray);
+        const auto again = crossings_found_again(packed);
         for (std::size_t lane = 0; lane < P::lanes; ++lane) {
-            const std::string wrong = wrong_lane(probes[lane], found, lane);
+            std::string wrong = wrong_lane(probes[lane], found, lane);
+            if (wrong.empty() && !again.empty()) wrong = wrong_lane(probes[lane], again, lane);
             if (!wrong.empty() && ++complaints <= 3) FAIL_CHECK(wrong << "\n    {" << literal(probes[lane]) << "}");
         }
     }
