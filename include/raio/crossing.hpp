@@ -148,7 +148,7 @@ RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& erro
     const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= with_underflow<W>(E(0)));
     W inverse;
     if constexpr (looks_closer<W>) {
-        inverse = W(1) / slope;  // where the sieve is sure of a crossing there is a slope
+        inverse = W(1) / slope;  // not zero where the sieve is sure of a crossing; no other lane counts
     } else {
         inverse = quotient(W(1), slope, W(0));
     }

@@ -53,7 +53,8 @@ RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit
     if (!all(is_finite(reach))) rec.point = detail::put_within_range(rec.point);
 
     // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
-    // rounding of the point to T. The smallest normal number stands for all that underflows.
+    // rounding of the point to T. The smallest normal number stands for all that underflows, `up`
+    // for the roundings of this bound: less than eight.
     constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>, up = 1 + 8 * in_t;
     const T least(least_normal<T>), most(std::numeric_limits<scalar_t<T>>::max());
     const T of_t = min(max(T(c.error), detail::least_recorded_error(rec.t)) + least, most);

@@ -63,7 +63,8 @@ RAIO_FN sifted<T> sift(const chord<W>& c, const T& t_min, const T& t_max) {
 ///
 /// Where a formula finds one crossing, its error bound is the roundoff times what is the same in every precision, but
 /// for the roundings of the bound itself: that of W is taken from the sieve's, with a factor of 16 to spare, and not
-/// reckoned again. `record_point` must not see the difference.
+/// reckoned again (high - low is more than the error, whatever their roundings). Where `record_point` would see the
+/// difference, the lane is left open.
 template <question Asked, class T, class W>
 RAIO_FN crossing<W> retrieved(const sifted<T>& found, crossing<W> c) {
     if constexpr (Asked == question::only_where) {
