@@ -32,6 +32,20 @@ TEST_CASE("crossing_list: takes over what there is, as far as it has room") {
     }
 }
 
+TEST_CASE("crossing_list: two chords as a list") {
+    const auto at = [](double t, bool exists, bool certain) { return crossing<double>{exists, certain, t, 0, true}; };
+    const chord<double> there{at(1, true, true), at(2, true, true)}, later{at(3, true, true), at(4, true, true)},
+        nowhere{at(0, false, true), at(0, false, true)}, unknown{at(0, false, false), at(0, false, false)};
+    const auto both = listed(chord_pair<double>{there, later});
+    REQUIRE(both.count == 4);
+    CHECK(both.certain);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(both.crossings[i].t == double(i + 1));
+    CHECK((listed(chord_pair<double>{there, nowhere}).count == 2 &&
+           listed(chord_pair<double>{nowhere, later}).count == 2));
+    CHECK(listed(chord_pair<double>{there, nowhere}).certain);
+    CHECK(!listed(chord_pair<double>{there, unknown}).certain);
+}
+
 TEST_CASE("crossing_list: roots are crossed as the signs beside them say, and tangents twice") {
     struct sides {
         int before, after;

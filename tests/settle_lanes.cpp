@@ -79,6 +79,40 @@ TEST_CASE_TEMPLATE("sift: of a chord the first in the window", T, RAIO_NUMBERS) 
     }
 }
 
+TEST_CASE_TEMPLATE("sift: of two chords the first in the window", T, RAIO_NUMBERS) {
+    using W = pack<T, 4>;
+    const known_crossing before{true, true, 0.25, 0.125, state::before}, beyond{true, true, 4, 0.25, state::beyond},
+        nowhere{false, true, 1.5, 0.25, state::nowhere}, in_first{true, true, 1.25, 0.125, state::inside};
+    const auto chord_of = [](const known_crossing& near, const known_crossing& far) {
+        return chord<W>{in_every_lane<W>(near), in_every_lane<W>(far)};
+    };
+    for (const known_crossing& near : known_crossings) {
+        CAPTURE(&near - known_crossings);
+        const chord<W> second = chord_of(near, beyond);
+        const auto found_behind = [&](const known_crossing& n, const known_crossing& f) {
+            return detail::sift(chord_pair<W>{chord_of(n, f), second}, W(1), W(2));
+        };
+        for (const known_crossing& far : {before, nowhere}) {  // the first chord is passed
+            const detail::sifted<W> found = found_behind(far, far), alone = detail::sift(second, W(1), W(2));
+            CHECK((bits(found.sure) == bits(alone.sure) && bits(found.open) == bits(alone.open)));
+            check_lanes(found.in_first, false);
+            if (near.is == state::inside) CHECK((found.low[3] == alone.low[3] && found.high[3] == alone.high[3]));
+            if (near.is == state::inside) check_lanes(found.at_near, true);
+        }
+        const detail::sifted<W> found = found_behind(before, in_first);
+        check_lanes(found.sure, true);
+        check_lanes(found.in_first, true);
+        check_lanes(found.at_near, false);
+        CHECK((found.low[3] == T(1.125) && found.high[3] == T(1.375)));
+        const detail::sifted<W> out = found_behind(before, beyond);
+        CHECK((none(out.sure) && none(out.open)));
+        for (const known_crossing& far : known_crossings) {  // whatever the second chord is
+            if (far.is != state::open) continue;
+            CHECK((none(found_behind(before, far).sure) && all(found_behind(before, far).open)));
+        }
+    }
+}
+
 TEST_CASE("sift: what double finds, for floats, is rounded to them before it counts") {
     using W = pack<double, 4>;
     using F = pack<float, 4>;

@@ -222,19 +222,4 @@ RAIO_FN constexpr crossing<W> correct_algebraic(const nearby_point<X>& at, const
     return newton_step(value.coefficient[0], value.error[0], here, slope.magnitude(c.error));
 }
 
-/// Records a point of the surface and the normal along the gradient of f, which points outwards. Where f has none, at a
-/// tip or where sheets cross, or none but its rounding, the surface is seen face on.
-/// \param bend  as for `record_point`
-template <real T, real N, real R, class W>
-RAIO_FN constexpr void record_gradient(const ray<R>& ray, const crossing<W>& c, const vec3<W>& gradient, T bend,
-                                       hit_record<T, N>& rec) {
-    using Q = working_t<N>;
-    record_point(ray, c, rec, bend);
-    vec3<Q> direction(normalize(vec3<Q>(vec3<W>(ray.direction)))), outward(scaled_into_range<Q>(vec3<Q>(gradient)));
-    Q steep = length(outward);
-    vec3<Q> normal = outward * quotient(Q(c.entering ? 1 : -1), steep, Q(0));
-    const bool against = steep > Q(0) && dot(normal, direction) <= Q(unit_roundoff<T>);
-    rec.normal = vec3<N>(against ? normal : -direction);
-}
-
 }  // namespace raio

@@ -37,6 +37,13 @@ RAIO_FN constexpr bound_t<W> with_underflow(const bound_t<W>& error) {
     }
 }
 
+/// A number and how far it may be off.
+template <class W>
+struct bounded_number {
+    W value;
+    bound_t<W> error;
+};
+
 /// A bound for the terms of a.(b x c), whose rounding errors are a few times that much of a roundoff: cheap where a
 /// closer look can follow, and as tight as it gets where it decides.
 template <class W>
@@ -111,6 +118,31 @@ template <class W>
 struct chord {
     crossing<W> near, far;
 };
+
+/// Two chords of one line, in order, with no point in common but an end: of what is a convex solid and a part of it
+/// that is hollow. The second may exist where the first does not.
+template <class W>
+struct chord_pair {
+    chord<W> first, second;
+};
+
+/// Of two chords only the one is wanted that is known to have the crossing.
+template <class Mask>
+struct known_chord {
+    Mask is_first;
+};
+
+/// What a shape of two chords answers.
+template <class W, class Wanted>
+struct chords_for {
+    using type = chord_pair<W>;
+};
+template <class W, class Mask>
+struct chords_for<W, known_chord<Mask>> {
+    using type = chord<W>;
+};
+template <class W, class Wanted>
+using chords_for_t = typename chords_for<W, Wanted>::type;
 
 template <class Mask, class W>
 RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const crossing<W>& b) {
@@ -191,12 +223,27 @@ RAIO_FN constexpr bool missed(const chord<W>& c) {
     return may_leave<W>(every(!c.near.exists, !c.far.exists, c.near.certain, c.far.certain));
 }
 
+template <class W>
+RAIO_FN constexpr bool missed(const chord_pair<W>& c) {
+    return missed(c.first) && missed(c.second);
+}
+
 /// The chord of a line that misses, or may miss.
 template <class W>
 RAIO_FN constexpr chord<W> nowhere(const mask_t<W>& certain) {
     const mask_t<W> no = W(0) != W(0);
     const crossing<W> none{no, certain, W(0), bound_t<W>(0), no};
     return {none, none};
+}
+
+/// The same, whichever it is that is wanted.
+template <class Wanted, class W>
+RAIO_FN constexpr chords_for_t<W, Wanted> nowhere_at_all(const chord<W>& c) {
+    if constexpr (std::same_as<chords_for_t<W, Wanted>, chord<W>>) {
+        return c;
+    } else {
+        return {c, c};
+    }
 }
 
 /// The chord of a line that is inside everywhere.
@@ -238,23 +285,16 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     const auto shared = [](const mask_t<W>& second, const crossing<W>& x, const crossing<W>& y) {
         return some(abs(E(y.t - x.t)) <= x.error + y.error, every(second, y.shared), every(!second, x.shared));
     };
-    chord<W> both = a;
-    both.near.t = max(a.near.t, b.near.t);
-    both.near.error = error(both.near.t, a.near, b.near);
-    both.near.face = select(b_enters_later, b.near.face, a.near.face);
-    both.near.shared = shared(b_enters_later, a.near, b.near);
-    both.far.t = min(a.far.t, b.far.t);
-    both.far.error = error(both.far.t, a.far, b.far);
-    both.far.face = select(b_leaves_first, b.far.face, a.far.face);
-    both.far.shared = shared(b_leaves_first, a.far, b.far);
-
-    W inside = both.far.t - both.near.t;
-    E slack = both.near.error + both.far.error;
+    W near = max(a.near.t, b.near.t), far = min(a.far.t, b.far.t), inside = far - near;
+    E near_error = error(near, a.near, b.near), far_error = error(far, a.far, b.far), slack = near_error + far_error;
     const mask_t<W> missed = some(every(a.near.certain, !a.near.exists), every(b.near.certain, !b.near.exists));
     const mask_t<W> decided = every(a.near.certain, b.near.certain, abs(inside) > slack);
-    both.near.exists = both.far.exists = every(a.near.exists, b.near.exists, inside >= -tie<W>(slack));
-    both.near.certain = both.far.certain = some(missed, decided);
-    return both;
+    const mask_t<W> exists = every(a.near.exists, b.near.exists, inside >= -tie<W>(slack));
+    const mask_t<W> certain = some(missed, decided);
+    return {{exists, certain, near, near_error, a.near.entering, select(b_enters_later, b.near.face, a.near.face),
+             a.near.u, a.near.v, shared(b_enters_later, a.near, b.near)},
+            {exists, certain, far, far_error, a.far.entering, select(b_leaves_first, b.far.face, a.far.face), a.far.u,
+             a.far.v, shared(b_leaves_first, a.far, b.far)}};
 }
 
 /// Keeps only crossings whose point T can say: those of a shape without end may lie beyond its largest number.
@@ -279,6 +319,12 @@ RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, chord<W>& c) {
     if (all(farthest < E(std::numeric_limits<scalar_t<T>>::max() / 4))) return;
     keep_if_reachable<T>(ray, c.near);
     keep_if_reachable<T>(ray, c.far);
+}
+
+template <real T, real R, class W>
+RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, chord_pair<W>& c) {
+    keep_if_reachable<T>(ray, c.first);
+    keep_if_reachable<T>(ray, c.second);
 }
 
 }  // namespace raio

@@ -55,6 +55,18 @@ struct crossing_list {
     }
 };
 
+/// The same crossings as a list.
+template <class W, std::size_t N>
+RAIO_FN constexpr crossing_list<W, N> listed(const crossing_list<W, N>& list) {
+    return list;
+}
+template <class W>
+RAIO_FN constexpr crossing_list<W, 4> listed(const chord_pair<W>& c) {
+    crossing_list<W, 4> list;
+    list.append(c.first), list.append(c.second);
+    return list;
+}
+
 /// Keeps only crossings whose point T can say.
 template <real T, real R, class W, std::size_t N>
 RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, crossing_list<W, N>& list) {
@@ -105,10 +117,10 @@ RAIO_FN constexpr detail::verdict<W> settled_in_window(const crossing_list<W, N>
 
 namespace detail {
 
-/// Does the shape say its crossings as a list?
+/// Can the shape's crossings be said as a list?
 template <class Shape, class R>
 concept lists_crossings = requires(const Shape shape, const ray<R> ray) {
-    shape.template crossings<exact_t<typename Shape::number>>(ray).count;
+    listed(shape.template crossings<exact_t<typename Shape::number>>(ray));
 };
 
 }  // namespace detail
@@ -143,7 +155,7 @@ requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(cons
             return fine;
         };
         detail::keep_as_stored<T>(shape, ray);
-        const auto quick = shape.template crossings<working_t<T>>(ray);
+        const auto quick = listed(shape.template crossings<working_t<T>>(ray));
         if (all_round_to_one(quick)) return between_crossings(quick);
         if constexpr (detail::correctable<Shape, X, working_t<T>>) {
             if (quick.certain) {
@@ -152,7 +164,7 @@ requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(cons
             }
         }
     }
-    return between_crossings(shape.template crossings<exact_t<T>>(ray));
+    return between_crossings(listed(shape.template crossings<exact_t<T>>(ray)));
 }
 
 }  // namespace raio

@@ -88,4 +88,19 @@ RAIO_FN constexpr void record_point_between(const aabb<T>& corners, const ray<R>
     rec.point = nearest_in(corners, rec.point);
 }
 
+/// Records a point of the surface and the normal along the gradient of f, which points outwards. Where f has none, at a
+/// tip or where sheets cross, or none but its rounding, the surface is seen face on.
+/// \param bend  as for `record_point`
+template <real T, real N, real R, class W>
+RAIO_FN constexpr void record_gradient(const ray<R>& ray, const crossing<W>& c, const vec3<W>& gradient, T bend,
+                                       hit_record<T, N>& rec) {
+    using Q = working_t<N>;
+    record_point(ray, c, rec, bend);
+    vec3<Q> direction(normalize(vec3<Q>(vec3<W>(ray.direction)))), outward(scaled_into_range<Q>(vec3<Q>(gradient)));
+    Q steep = length(outward);
+    vec3<Q> normal = outward * quotient(select(mask_t<Q>(c.entering), Q(1), Q(-1)), steep, Q(0));
+    const mask_t<Q> against = every(steep > Q(0), dot(normal, direction) <= Q(unit_roundoff<T>));
+    rec.normal = vec3<N>(select(against, normal, -direction));
+}
+
 }  // namespace raio

@@ -135,13 +135,6 @@ RAIO_FN constexpr vec3<W> outward_normal(const curve_beside_axis<W>& curve, cons
 
 namespace detail {
 
-/// A number and how far it may be off.
-template <class W>
-struct bounded_number {
-    W value;
-    bound_t<W> error;
-};
-
 /// An error over something of at least this size.
 template <real E>
 RAIO_FN constexpr E over(const E& error, const E& least) {

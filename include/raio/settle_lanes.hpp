@@ -22,22 +22,40 @@ template <class T>
 struct sifted {
     mask_t<T> sure, open;
     T low, high;
-    mask_t<T> at_near{true};  ///< of two, is it the near one?
+    mask_t<T> at_near{true};   ///< of the two of a chord, is it the near one?
+    mask_t<T> in_first{true};  ///< of two chords, is it of the first?
 };
 
 /// Between which numbers the exact t comes to lie once it is rounded to T, and where that is.
 template <class T, class W>
 struct rounded_crossing {
     T low, high;
-    mask_t<T> inside, before, beyond, nowhere;  ///< known to be in the window, before it, beyond it, or not at all
+    mask_t<T> inside, beyond,
+        passed;  ///< known to be in the window, beyond it, or not to count: before it, or not at all
 
     RAIO_FN rounded_crossing(const crossing<W>& c, const T& t_min, const T& t_max)
         : low(c.t - c.error), high(c.t + c.error) {
         const mask_t<T> certain = c.certain, exists = every(certain, c.exists);
         inside = every(exists, t_min <= low, high <= t_max);
-        before = every(exists, high < t_min);
         beyond = every(exists, t_max < low);
-        nowhere = every(certain, !exists);
+        passed = some(every(exists, high < t_min), every(certain, !exists));
+    }
+};
+
+/// The same of a chord: of its near end or, where that is passed, of the far one. (That of a tube without caps may have
+/// a far end only.)
+template <class T, class W>
+struct rounded_chord {
+    T low, high;
+    mask_t<T> inside, beyond, passed, at_near;
+
+    RAIO_FN rounded_chord(const chord<W>& c, const T& t_min, const T& t_max) {
+        const rounded_crossing<T, W> near(c.near, t_min, t_max), far(c.far, t_min, t_max);
+        inside = some(near.inside, every(near.passed, far.inside));
+        beyond = some(near.beyond, every(near.passed, far.beyond));
+        passed = every(near.passed, far.passed);
+        at_near = every(c.near.exists, t_min <= near.low);
+        low = select(at_near, near.low, far.low), high = select(at_near, near.high, far.high);
     }
 };
 
@@ -45,18 +63,24 @@ template <class T, class W>
 RAIO_FN sifted<T> sift(const crossing<W>& c, const T& t_min, const T& t_max) {
     if (c.missed) return {false, false, T(0), T(0)};
     const rounded_crossing<T, W> is(c, t_min, t_max);
-    return {is.inside, !some(is.inside, is.before, is.beyond, is.nowhere), is.low, is.high};
+    return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high};
 }
-
-/// Of a chord the first that is in the window. That of a tube without caps may have a far end only.
 template <class T, class W>
 RAIO_FN sifted<T> sift(const chord<W>& c, const T& t_min, const T& t_max) {
     if (missed(c)) return {false, false, T(0), T(0)};
-    const rounded_crossing<T, W> near(c.near, t_min, t_max), far(c.far, t_min, t_max);
-    const mask_t<T> passed = some(near.before, near.nowhere), sure = some(near.inside, every(passed, far.inside));
-    const mask_t<T> out = some(near.beyond, every(passed, some(far.before, far.beyond, far.nowhere)));
-    const mask_t<T> at_near = every(c.near.exists, t_min <= near.low);
-    return {sure, !some(sure, out), select(at_near, near.low, far.low), select(at_near, near.high, far.high), at_near};
+    const rounded_chord<T, W> is(c, t_min, t_max);
+    return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high, is.at_near};
+}
+template <class T, class W>
+RAIO_FN sifted<T> sift(const chord_pair<W>& c, const T& t_min, const T& t_max) {
+    if (missed(c)) return {false, false, T(0), T(0)};
+    const rounded_chord<T, W> first(c.first, t_min, t_max), second(c.second, t_min, t_max);
+    const mask_t<T> sure = some(first.inside, every(first.passed, second.inside)), in_first = !first.passed;
+    const mask_t<T> out = some(first.beyond, every(first.passed, some(second.beyond, second.passed)));
+    const mask_t<T> at_near = some(every(in_first, first.at_near), every(first.passed, second.at_near));
+    return {
+        sure,    !some(sure, out), select(in_first, first.low, second.low), select(in_first, first.high, second.high),
+        at_near, in_first};
 }
 
 /// The crossings that a sieve is sure of, in a wider precision: beyond doubt where they exist.
@@ -104,6 +128,17 @@ RAIO_FN sifted<T> sieve(const Shape& shape, const ray<T>& ray, const T& t_min, c
     }
 }
 
+/// Those that the sieve has found, in the precision of W.
+template <class W, class Shape, class T>
+RAIO_FN auto crossings_again(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max,
+                             const sifted<T>& found) {
+    if constexpr (requires { shape.template crossings<W>(ray).second; }) {
+        return shape.template crossings<W>(ray, known_chord<mask_t<T>>{found.in_first});
+    } else {
+        return crossings_for<W, question::only_where>(shape, ray, t_min, t_max);
+    }
+}
+
 /// What is at infinity is missed.
 template <class T>
 RAIO_FN T within_numbers(const T& t_max) {
@@ -145,8 +180,8 @@ RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, 
         if constexpr (unit_roundoff<W> < unit_roundoff<T>) {
             if (sure != 0) [[likely]] {
                 detail::keep_as_stored<T>(shape, ray);
-                auto first = detail::retrieved<Asked>(
-                    found, detail::crossings_for<W, detail::question::only_where>(shape, ray, t_min, t_max));
+                auto first =
+                    detail::retrieved<Asked>(found, detail::crossings_again<W>(shape, ray, t_min, t_max, found));
                 met = first.exists;
                 left &= ~bits(met);
                 detail::record(shape, ray, first, candidate);
@@ -164,8 +199,7 @@ RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, 
 
 /// Where the lines of packs are inside a convex solid. (There is room for one span in each lane.)
 template <class Shape, detail::has_lanes R>
-requires detail::sifts<Shape, typename Shape::number> RAIO_FN auto inside_of(const Shape& shape, const ray<R>& ray) {
-    return detail::spans_in_lanes(shape, ray);
-}
+requires requires(const Shape shape, const ray<R> ray) { shape.template crossings<R>(ray).near; }
+RAIO_FN auto inside_of(const Shape& shape, const ray<R>& ray) { return detail::spans_in_lanes(shape, ray); }
 
 }  // namespace raio

@@ -33,6 +33,11 @@ RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_ma
     crossing<W> near = first_in_window(c.near, t_min, t_max);
     return select(near.exists, near, first_in_window(c.far, t_min, t_max));
 }
+template <real T, class W>
+RAIO_FN constexpr crossing<W> first_in_window(const chord_pair<W>& c, T t_min, T t_max) {
+    crossing<W> first = first_in_window(c.first, t_min, t_max);
+    return select(first.exists, first, first_in_window(c.second, t_min, t_max));
+}
 
 /// What is asked of the first crossing: only whether there is one, or also where; or only where, if there is one beyond
 /// doubt.
@@ -82,15 +87,28 @@ RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) 
     c.exists = every(c.exists, !outside);
     return {c, every(c.certain, some(missed, inside, outside))};
 }
-template <question Asked, real T, class W>
-RAIO_FN constexpr verdict<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
-    // Of two crossings it has to be found out which one it is.
-    constexpr question asked = Asked == question::whether ? question::whether : question::where;
-    verdict<W> found = settled_in_window<asked>(c.near, t_min, t_max);
+
+/// The verdict on the first of several crossings, or, where that is passed, on those that come next.
+template <class W, class Next>
+RAIO_FN constexpr verdict<W> or_next(const verdict<W>& found, Next next) {
     const mask_t<W> passed = every(found.known, !found.first.exists);
     if (none(passed)) return found;
-    const verdict<W> far = settled_in_window<asked>(c.far, t_min, t_max);
-    return {select(passed, far.first, found.first), some(every(passed, far.known), every(found.known, !passed))};
+    const verdict<W> later = next();
+    return {select(passed, later.first, found.first), some(every(passed, later.known), every(found.known, !passed))};
+}
+
+/// Of several crossings it has to be found out which one it is.
+constexpr question which_one(question asked) { return asked == question::whether ? asked : question::where; }
+
+template <question Asked, real T, class W>
+RAIO_FN constexpr verdict<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
+    return or_next(settled_in_window<which_one(Asked)>(c.near, t_min, t_max),
+                   [&] { return settled_in_window<which_one(Asked)>(c.far, t_min, t_max); });
+}
+template <question Asked, real T, class W>
+RAIO_FN constexpr verdict<W> settled_in_window(const chord_pair<W>& c, T t_min, T t_max) {
+    return or_next(settled_in_window<Asked>(c.first, t_min, t_max),
+                   [&] { return settled_in_window<Asked>(c.second, t_min, t_max); });
 }
 
 }  // namespace raio::detail

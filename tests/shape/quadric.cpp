@@ -1,34 +1,11 @@
 #include <raio/shape/quadric.hpp>
 
-#include "support/algebraics.hpp"
 #include "support/cases.hpp"
 #include "support/dual.hpp"
 #include "support/packs.hpp"
+#include "support/quadrics.hpp"
 
 namespace raio::test {
-
-template <class T, bool Closed>
-struct subject<quadric<T, Closed>> : boxed_subject<quadric<T, Closed>> {
-    using shape = quadric<T, Closed>;
-
-    static auto fields(auto& s) { return std::tie(s.min, s.max, s.squares, s.products, s.linear, s.constant); }
-
-    /// About the origin, which is inside: of full rank or of less, with and without an axis along one of the box's.
-    static shape random(random_numbers& random, double size, const vec3<double>&) {
-        shape s{vec3<T>(0), vec3<T>(0)};
-        for_each_number(s.min, [&](T& x) { x = static_cast<T>(-size * random.uniform(0.3, 1)); });
-        for_each_number(s.max, [&](T& x) { x = static_cast<T>(size * random.uniform(0.3, 1)); });
-        const auto some = [&](double unit) {
-            return static_cast<T>(random.one_in(3) ? 0 : unit * random.uniform(-1, 1));
-        };
-        for_each_number(s.squares, [&](T& x) { x = some(1 / size); });
-        if (random.one_in(2)) for_each_number(s.products, [&](T& x) { x = some(1 / size); });
-        if (random.one_in(2)) for_each_number(s.linear, [&](T& x) { x = some(1); });
-        s.constant = static_cast<T>(-size * random.log_uniform(0.001, 0.3));
-        const bool reaches_corner = s.template value<double>(to_double(s.max)) < 0;
-        return !Closed && reaches_corner ? subject::random(random, size, vec3<double>(0)) : s;
-    }
-};
 
 TEST_CASE_TEMPLATE("quadric: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
@@ -135,7 +112,7 @@ TEST_CASE_TEMPLATE("quadric: properties of every shape", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("quadric: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<quadric<T>>();
     check_accuracy<quadric<T>>(test_rays);
-    check_bounds_of_errors<quadric<T>>(test_rays / 5, 0.7);  // faces of the box are not refined
+    check_bounds_of_errors<quadric<T>>(test_rays / 5);
 }
 
 TEST_CASE_TEMPLATE("open_quadric: as exact arithmetic", T, RAIO_NUMBERS) {

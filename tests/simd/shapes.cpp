@@ -10,6 +10,7 @@
 #include "support/parallelograms.hpp"
 #include "support/planes.hpp"
 #include "support/polyhedra.hpp"
+#include "support/quadrics.hpp"
 #include "support/rings.hpp"
 #include "support/round_cones.hpp"
 #include "support/spheres.hpp"
@@ -91,6 +92,10 @@ TEST_CASE_TEMPLATE("packs: open frustum", T, RAIO_NUMBERS) { check_packs<open_fr
 TEST_CASE_TEMPLATE("packs: round cone", T, RAIO_NUMBERS) { check_packs<round_cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: paraboloid", T, RAIO_NUMBERS) { check_packs<paraboloid<T>>(); }
 TEST_CASE_TEMPLATE("packs: open paraboloid", T, RAIO_NUMBERS) { check_packs<open_paraboloid<T>>(); }
+TEST_CASE_TEMPLATE("packs: hyperboloid", T, RAIO_NUMBERS) { check_packs<hyperboloid<T>>(); }
+TEST_CASE_TEMPLATE("packs: two-sheet hyperboloid", T, RAIO_NUMBERS) { check_packs<two_sheet_hyperboloid<T>>(); }
+TEST_CASE_TEMPLATE("packs: quadric", T, RAIO_NUMBERS) { check_packs<quadric<T>>(); }
+TEST_CASE_TEMPLATE("packs: open quadric", T, RAIO_NUMBERS) { check_packs<open_quadric<T>>(); }
 TEST_CASE_TEMPLATE("packs: open hyperboloid", T, RAIO_NUMBERS) { check_packs<open_hyperboloid<T>>(); }
 TEST_CASE_TEMPLATE("packs: open two-sheet hyperboloid", T, RAIO_NUMBERS) {
     check_packs<open_two_sheet_hyperboloid<T>>();

@@ -17,11 +17,14 @@ std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<number_t<Sh
     const auto found = shape.template crossings<W>(ray);
     if constexpr (requires { found.near; }) {
         return {found.near, found.far};
-    } else if constexpr (requires { found.count; }) {
-        std::vector<crossing<W>> listed(found.begin(), found.end());
-        for (crossing<W>& c : listed) c.certain = c.certain && found.certain;
-        if (listed.empty() && !found.certain) listed.push_back({false, false, W(0), bound_t<W>(0), false});
-        return listed;
+    } else if constexpr (detail::has_lanes<W> && requires { found.second; }) {
+        return {found.first.near, found.first.far, found.second.near, found.second.far};
+    } else if constexpr (requires { listed(found); }) {
+        const auto list = listed(found);
+        std::vector<crossing<W>> crossings(list.begin(), list.end());
+        for (crossing<W>& c : crossings) c.certain = c.certain && list.certain;
+        if (crossings.empty() && !list.certain) crossings.push_back({false, false, W(0), bound_t<W>(0), false});
+        return crossings;
     } else {
         return {found};
     }
@@ -96,7 +99,9 @@ std::string difference(const probe<Shape>& p, const hit_record<number_t<Shape>>&
     if (rec.front_face != crossing.entering) return "wrong face, " + literal(rec);
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const oracle origin(p.ray.origin[axis]), step = oracle(p.ray.direction[axis]) * exact_t;
-        const oracle own_error = (abs(origin) + abs(step)) * 1e-38, off = abs(origin + step - oracle(rec.point[axis]));
+        const oracle own_error =
+            (abs(origin) + abs(step)) * 1e-38 + abs(oracle(p.ray.direction[axis])) * crossing.error;
+        const oracle off = abs(origin + step - oracle(rec.point[axis]));
         if (off > oracle(rec.error[axis]) + own_error) {
             return "point off by " + literal(rounded<T>(off)) + ", " + literal(rec);
         }

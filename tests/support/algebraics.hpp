@@ -45,20 +45,6 @@ inline constexpr bool is_flat<algebraic<T, Degree, Closed>> = false;
 template <class T, std::size_t Degree, bool Closed>
 inline constexpr bool is_convex<algebraic<T, Degree, Closed>> = false;
 
-template <class U, class T>
-quadric<U> converted(const quadric<T>& s) {
-    return {vec3<U>(s.min), vec3<U>(s.max), vec3<U>(s.squares), vec3<U>(s.products), vec3<U>(s.linear), U(s.constant)};
-}
-template <class U, class T>
-open_quadric<U> converted(const open_quadric<T>& s) {
-    return {vec3<U>(s.min), vec3<U>(s.max), vec3<U>(s.squares), vec3<U>(s.products), vec3<U>(s.linear), U(s.constant)};
-}
-
-template <class T, bool Closed>
-inline constexpr bool is_flat<quadric<T, Closed>> = false;
-template <class T, bool Closed>
-inline constexpr bool is_convex<quadric<T, Closed>> = false;
-
 /// Any point of a box.
 inline vec3<double> point_between(const vec3<double>& low, const vec3<double>& high, random_numbers& random) {
     vec3<double> p;

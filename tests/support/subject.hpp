@@ -113,10 +113,10 @@ std::vector<half_space<U>> converted(const std::vector<half_space<T>>& planes) {
     for (const half_space<T>& plane : planes) result.push_back({vec3<U>(plane.normal), U(plane.offset)});
     return result;
 }
-template <class U, template <real> class Shape, real T>
-auto converted(const Shape<T>& shape) {
-    return std::apply([](const auto&... field) { return Shape<U>{converted<U>(field)...}; },
-                      subject<Shape<T>>::fields(shape));
+template <class U, template <real, auto...> class Shape, real T, auto... Options>
+auto converted(const Shape<T, Options...>& shape) {
+    return std::apply([](const auto&... field) { return Shape<U, Options...>{converted<U>(field)...}; },
+                      subject<Shape<T, Options...>>::fields(shape));
 }
 /// The same triangle; that 50 digits round as well does not matter where nothing is divided.
 template <std::same_as<oracle> U, real T>

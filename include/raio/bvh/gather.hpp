@@ -11,9 +11,10 @@
 
 namespace raio::detail {
 
-/// What a shape says of its crossings: one, or a chord.
+/// What a shape says of its crossings: one, a chord, or two.
 template <class Found, class W>
-concept crossings_of = std::same_as<Found, crossing<W>> || std::same_as<Found, chord<W>>;
+concept crossings_of =
+    std::same_as<Found, crossing<W>> || std::same_as<Found, chord<W>> || std::same_as<Found, chord_pair<W>>;
 
 template <class Shape, class W>
 concept gatherable_as = aggregate_of_packs<rebind_t<Shape, W>, W> &&

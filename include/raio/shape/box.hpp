@@ -129,6 +129,12 @@ struct box {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         record_point_between({min, max}, ray, c, rec);
+        put_on_face(ray, c, rec);
+    }
+
+    /// Records what the face of a crossing is: all but what `record_point` does.
+    template <class W, real R, real N>
+    RAIO_FN constexpr void put_on_face(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         // One coordinate is known without any error: that of the face, which is the low one where the line enters
         // forwards.
         const mask_t<T> x = c.face == index_t<W>(0), y = c.face == index_t<W>(1), z = c.face == index_t<W>(2);

@@ -146,9 +146,9 @@ struct cylinder {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = detail::cross_endless_cylinder<W>(base, top, radius, ray);
-        if (missed(c)) return c;
-        c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
+        chord<W> endless = detail::cross_endless_cylinder<W>(base, top, radius, ray);
+        if (missed(endless)) return endless;
+        chord<W> c = intersect(endless, detail::cross_cap_planes<W>(base, top, ray));
         keep_if_reachable<T>(ray, c);
         return c;
     }

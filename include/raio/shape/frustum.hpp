@@ -24,12 +24,10 @@ namespace detail {
 template <class W>
 RAIO_FN constexpr chord<W> one_nappe(const quadric_chord<W>& c, const mask_t<W>& line_runs_along) {
     const mask_t<W> yes = W(0) == W(0), forward = every(c.hollow, line_runs_along), back = every(c.hollow, !forward);
-    crossing<W> near = c.ends.near, far_end = c.ends.far;
-    near.t = select(forward, c.ends.far.t, select(back, -infinity<W>, near.t));
-    far_end.t = select(back, c.ends.near.t, select(forward, infinity<W>, far_end.t));
-    near.entering = yes;
-    far_end.entering = !yes;
-    return {near, far_end};
+    const crossing<W>&near = c.ends.near, &far = c.ends.far;
+    W from = select(forward, far.t, select(back, -infinity<W>, near.t));
+    W to = select(back, near.t, select(forward, infinity<W>, far.t));
+    return {{near.exists, near.certain, from, near.error, yes}, {far.exists, far.certain, to, far.error, !yes}};
 }
 
 /// From the end with the lesser radius to the other.
@@ -170,9 +168,9 @@ struct frustum {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = detail::cross_nappe<W>(base, top, radii(), ray);
-        if (missed(c)) return c;
-        c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
+        chord<W> nappe = detail::cross_nappe<W>(base, top, radii(), ray);
+        if (missed(nappe)) return nappe;
+        chord<W> c = intersect(nappe, detail::cross_cap_planes<W>(base, top, ray));
         keep_if_reachable<T>(ray, c);
         return c;
     }

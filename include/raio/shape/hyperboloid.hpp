@@ -57,28 +57,17 @@ RAIO_FN constexpr quadric_chord<W> cross_endless_hyperboloid(const vec3<T>& base
     return cross_quadric(endless_hyperboloid(base, top, side), to_center, far, vec3<W>(ray.direction));
 }
 
-/// The crossings with the solid between the caps.
-template <class W, real T, real R>
-RAIO_FN constexpr crossing_list<W, 4> cross_capped(const vec3<T>& base, const vec3<T>& top,
-                                                   const hyperboloid_side<W>& side, const ray<R>& ray) {
-    crossing_list<W, 4> list;
+/// The crossings with the solid between the caps. (A line that is inside before and after the side's two ends enters it
+/// and leaves it by the caps.)
+template <class W, real T, real R, class Wanted>
+RAIO_FN constexpr chords_for_t<W, Wanted> cross_capped(const vec3<T>& base, const vec3<T>& top,
+                                                       const hyperboloid_side<W>& side, const ray<R>& ray,
+                                                       const Wanted& wanted) {
     const quadric_chord<W> c = cross_endless_hyperboloid(base, top, side, ray);
-    if (missed(c.ends)) return list;
-    const chord<W> slab = cross_cap_planes<W>(base, top, ray);
-    const auto append = [&](const chord<W>& endless) {
-        chord<W> part = intersect(endless, slab);
-        keep_if_reachable<T>(ray, part);
-        list.append(part);
-    };
-    if (c.hollow) {
-        crossing<W> before = c.ends.far, after = c.ends.near;
-        before.t = -infinity<W>, after.t = infinity<W>;
-        append({before, c.ends.near});
-        append({c.ends.far, after});
-    } else {
-        append(c.ends);
-    }
-    return list;
+    if (missed(c.ends)) return nowhere_at_all<Wanted>(c.ends);
+    auto parts = intersect(c, cross_cap_planes<W>(base, top, ray), wanted);
+    keep_if_reachable<T>(ray, parts);
+    return parts;
 }
 
 /// The crossings with the side alone: either counts on its own, if it lies between the two planes.
@@ -195,9 +184,9 @@ struct hyperboloid {
         return detail::sample_capped(base, top, end_radius, detail::one_sheet<double>(waist_radius, end_radius), u);
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
-        return detail::cross_capped(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr chords_for_t<W, Wanted> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
+        return detail::cross_capped(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray, wanted);
     }
 
     template <class X, class W>

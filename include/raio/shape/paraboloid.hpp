@@ -129,9 +129,9 @@ struct paraboloid {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
-        if (missed(c)) return c;
-        c = intersect(c, detail::cross_upper_plane<W>(vertex, top, ray));
+        chord<W> endless = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
+        if (missed(endless)) return endless;
+        chord<W> c = intersect(endless, detail::cross_upper_plane<W>(vertex, top, ray));
         keep_if_reachable<T>(ray, c);
         return c;
     }

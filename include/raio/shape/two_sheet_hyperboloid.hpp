@@ -56,9 +56,9 @@ struct two_sheet_hyperboloid {
         return detail::sample_capped(base, top, end_radius, detail::two_sheets<double>(gap, end_radius), u);
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const ray<R>& ray) const {
-        return detail::cross_capped(base, top, detail::two_sheets<W>(gap, end_radius), ray);
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr chords_for_t<W, Wanted> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
+        return detail::cross_capped(base, top, detail::two_sheets<W>(gap, end_radius), ray, wanted);
     }
 
     template <class X, class W>
