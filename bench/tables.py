@@ -52,6 +52,20 @@ def markdown(results):
                 + list(cells(measured, shape, call, ratio_to(peer, number)))
                 for shape, peer, number in BAR if shape in shapes]
 
+    def in_packs():
+        """Of floats, what one call and one lane cost; and what the first peer does."""
+        ours = ("hit", "hit_in_packs", "occluded", "occluded_in_packs")
+        for shape in shapes:
+            if "hit_in_packs" in calls(measured, shape):
+                peers = [(peer, number or "float") for of, peer, number in BAR if of == shape]
+                peers += [(call, "float") for call in calls(measured, shape) if call not in OURS]
+                contenders = [(call, "float") for call in ours] + peers[:1]
+                costs = [" / ".join(shown(measured[shape, call, number, percent][0]) for percent in PERCENTS)
+                         for call, number in contenders]
+                if peers:
+                    costs[-1] += f" (`{peers[0][0]}`" + (f" in {peers[0][1]})" if peers[0][1] != "float" else ")")
+                yield [shape] + costs + [""] * (len(ours) + 1 - len(costs))
+
     ratios, times = [], []
     for shape in shapes:
         for call in calls(measured, shape):
@@ -71,6 +85,8 @@ def markdown(results):
         table(["shape", "peer"] + columns, bar("hit")),
         "The same in packs, as many tests at a time as registers have lanes (`hit_in_packs`), over the same peers:",
         table(["shape", "peer"] + columns, bar("hit_in_packs")),
+        "Packs of floats beside one call at a time, nanoseconds per test at 0, 50 and 100 % hits:",
+        table(["shape", "`hit`", "`hit_in_packs`", "`occluded`", "`occluded_in_packs`", "peer"], in_packs()),
         "`hit` over the peers that find a normal, `occluded` over those that do not:",
         table(["shape", "ratio"] + columns, ratios),
         "Nanoseconds per test:",
