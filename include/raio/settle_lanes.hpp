@@ -30,8 +30,8 @@ struct sifted {
 template <class T, class W>
 struct rounded_crossing {
     T low, high;
-    mask_t<T> inside, beyond,
-        passed;  ///< known to be in the window, beyond it, or not to count: before it, or not at all
+    mask_t<T> inside, beyond;  ///< known to be in the window, or beyond it
+    mask_t<T> passed;          ///< known to be before it, or not at all
 
     RAIO_FN rounded_crossing(const crossing<W>& c, const T& t_min, const T& t_max)
         : low(c.t - c.error), high(c.t + c.error) {

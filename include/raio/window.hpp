@@ -1,6 +1,6 @@
 #pragma once
 
-#include <raio/crossing.hpp>
+#include <raio/chord.hpp>
 
 /// \file
 /// Which crossings count: those with t in the closed window [t_min, t_max] that is asked for.

@@ -36,6 +36,7 @@ SHAPES = {
     "lanes.hpp": ["settle_lanes", "shape/torus"],
     "sphere_crossing.hpp": ["shape/sphere", "simd/shapes"],
     "crossing.hpp": ["shape/cylinder", "shape/box"],
+    "chord.hpp": ["shape/cylinder", "shape/box", "shape/hyperboloid"],
     "plane_crossing.hpp": ["shape/plane", "shape/disc"],
     "edge_crossing.hpp": ["shape/triangle", "shape/parallelogram", "simd/shapes"],
     "quadric_crossing.hpp": ["shape/cone", "shape/hyperboloid", "shape/two_sheet_hyperboloid", "shape/quadric"],
