@@ -99,7 +99,6 @@ TEST_CASE("chord: two solids that are convex together, whatever the ends are off
     }
 }
 
-/// One step of Newton's method, of a value and a slope that may be anything within their bounds.
 TEST_CASE("chord: nothing is left to find out where both are missed beyond doubt") {
     for (const bool exists : {false, true}) {
         for (const bool certain : {false, true}) {

@@ -9,6 +9,7 @@
 
 namespace raio::test {
 
+/// One step of Newton's method, of a value and a slope that may be anything within their bounds.
 TEST_CASE("crossing: where a function is zero, whatever value and slope are off by") {
     random_numbers random(3);
     double largest_part = 0;

@@ -118,6 +118,7 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
              a.far.v, shared(b_leaves_first, a.far, b.far)}};
 }
 
+/// Keeps only ends whose point T can say.
 template <real T, real R, class W>
 RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, chord<W>& c) {
     using E = bound_t<W>;

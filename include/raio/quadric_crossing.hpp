@@ -59,11 +59,11 @@ struct parabola {
     }
 };
 
-/// Where it is zero, between -reach and reach: all that counts of the quadric is within half of that.
+/// Where it is zero or below, between -reach and reach: all that counts of the quadric is within half of that.
 ///
-/// \param wide     is there a quadric at all?
-/// \param on_axis  is `square` known not to be below 0 where a is?
-/// \param c        says c, for those who need it
+/// \param wide      is there a quadric at all?
+/// \param on_axis   is `square` known not to be below 0 where a is?
+/// \param constant  says c, for those who need it
 template <class W, class Constant>
 RAIO_FN constexpr quadric_chord<W> cross_parabola(const parabola<W>& f, const bound_t<W>& reach, const mask_t<W>& wide,
                                                   const mask_t<W>& on_axis, Constant constant) {

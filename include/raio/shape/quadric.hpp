@@ -21,7 +21,7 @@ namespace raio {
 /// ray. x, y, z and uv are as for `algebraic`.
 ///
 /// Along a line f is a parabola, by the place on that part of the line which is near the box and in units of its size,
-/// so that all of it has the size of f there, and its rounding errors are one number.
+/// so that its coefficients have the size of f there.
 template <real T, bool Closed = true>
 struct quadric {
     using number = T;
