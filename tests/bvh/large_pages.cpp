@@ -25,6 +25,7 @@ TEST_CASE("large_pages: in lines; large blocks in pages") {
     using pages = detail::large_pages<int>;
     constexpr std::size_t large = pages::page / sizeof(int);
     static_assert(!pages::is_large(large - 1) && pages::is_large(large));
+    static_assert(pages::bytes(large - 1) == pages::page - sizeof(int) && pages::bytes(large + 1) == 2 * pages::page);
     pages allocator;
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{17}, large - 1, large, 3 * large + 1}) {
         int* const place = allocator.allocate(n);

@@ -25,14 +25,19 @@ struct large_pages {
     constexpr large_pages(const large_pages<Other>&) {}
 
     static constexpr bool is_large(std::size_t n) { return n * sizeof(Value) >= page; }
+    /// Whole pages of what is large: what does not fill one is mapped in hundreds of small ones.
+    static constexpr std::size_t bytes(std::size_t n) {
+        const std::size_t size = n * sizeof(Value);
+        return is_large(n) ? (size + page - 1) / page * page : size;
+    }
     static constexpr std::align_val_t alignment(std::size_t n) {
         return std::align_val_t(is_large(n) ? page : std::max(alignof(Value), line));
     }
 
     Value* allocate(std::size_t n) {
-        void* place = ::operator new(n * sizeof(Value), alignment(n));
+        void* place = ::operator new(bytes(n), alignment(n));
 #if defined(MADV_HUGEPAGE)
-        if (is_large(n)) madvise(place, n * sizeof(Value), MADV_HUGEPAGE);
+        if (is_large(n)) madvise(place, bytes(n), MADV_HUGEPAGE);
 #endif
         return static_cast<Value*>(place);
     }
