@@ -22,9 +22,9 @@ bool same_record(const hit_record<T>& a, const hit_record<T>& b) {
            a.index == b.index && a.front_face == b.front_face;
 }
 
-/// Is a lane's record that of the plain shape? What compilers contract as they like is not the same where that is done:
-/// uv may lose all of its digits (in the fraction of a plane's coordinate far away, or in an angle beside an axis), the
-/// bound of the error is a little larger or smaller.
+/// Is a lane's record that of the plain shape? Two of its numbers are computed as compilers like. Where they fuse
+/// products and sums, uv may differ in all of its digits (the fraction of a plane's coordinate far away, an angle
+/// beside an axis), and the bound of the error a little.
 template <class S>
 bool same_as_plain(hit_record<S> found, const hit_record<S>& plain) {
 #if defined(__FMA__)
