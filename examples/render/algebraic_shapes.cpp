@@ -2,21 +2,10 @@
 #include <cmath>
 #include <string>
 
-#include <glm/vector_relational.hpp>
-
 #include "shape_readings.hpp"
 
 namespace render {
 namespace {
-
-/// A box that is more than a face.
-raio::box<number> read_clip(tokens& in, std::string_view of) {
-    const vec3 min = vector(in, joined({"the minimum of ", of})), max = vector(in, joined({"the maximum of ", of}));
-    if (!glm::all(glm::lessThan(min, max))) {
-        in.fail(joined({"a minimum that is not below the maximum of ", of}), "the lesser coordinates first");
-    }
-    return {min, max};
-}
 
 template <bool Closed>
 shape read_quadric(tokens& in, int) {

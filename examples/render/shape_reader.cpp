@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 
+#include <glm/vector_relational.hpp>
+
 #include "shape_readings.hpp"
 
 namespace render {
@@ -11,9 +13,6 @@ namespace {
 
 using any_solid = raio::any_solid<number>;
 using transform = raio::transform<number>;
-
-/// Shapes may stand in others only so deep that no ray runs out of stack.
-constexpr int deepest = 100;
 
 shape read_shape(tokens& in, int depth);
 
@@ -67,6 +66,7 @@ shape_readings all_shapes() {
     all.merge(polyhedra());
     all.merge(shapes_about_an_axis());
     all.merge(algebraic_shapes());
+    all.merge(distance_shapes());
     return all;
 }
 
@@ -108,8 +108,7 @@ shape transformed(const shape& bare, const transform& map) {
 }
 
 shape read_shape(tokens& in, int depth) {
-    if (depth > deepest)
-        in.fail(joined({"a shape that stands in more than ", std::to_string(deepest), " others"}), "fewer");
+    expect_not_too_deep(in, depth);
     const bool moved = transforms.contains(in.peek());
     const transform map = read_transforms(in);
     static const shape_readings shapes = all_shapes();
@@ -135,6 +134,21 @@ std::vector<shape> read_mesh(tokens& in, const meshes& known) {
 }
 
 }  // namespace
+
+void expect_not_too_deep(tokens& in, int depth) {
+    constexpr int deepest = 100;
+    if (depth > deepest)
+        in.fail(joined({"a shape that stands in more than ", std::to_string(deepest), " others"}), "fewer");
+}
+
+/// A box that is more than a face.
+raio::box<number> read_clip(tokens& in, std::string_view of) {
+    const vec3 min = vector(in, joined({"the minimum of ", of})), max = vector(in, joined({"the maximum of ", of}));
+    if (!glm::all(glm::lessThan(min, max))) {
+        in.fail(joined({"a minimum that is not below the maximum of ", of}), "the lesser coordinates first");
+    }
+    return {min, max};
+}
 
 std::vector<shape> read_shapes(tokens& in, const meshes& known) {
     if (in.peek() != "mesh") return {read_shape(in, 0)};

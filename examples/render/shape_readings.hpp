@@ -17,6 +17,13 @@ shape_readings flat_shapes();
 shape_readings polyhedra();
 shape_readings shapes_about_an_axis();
 shape_readings algebraic_shapes();
+shape_readings distance_shapes();
+
+/// Shapes may stand in others only so deep that no ray runs out of stack.
+void expect_not_too_deep(tokens& in, int depth);
+
+/// A box that is more than a face.
+raio::box<number> read_clip(tokens& in, std::string_view of);
 
 /// Shapes that only some scenes have are kept as what they can do.
 template <class Shape>

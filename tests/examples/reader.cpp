@@ -234,6 +234,36 @@ TEST_CASE("shapes are read as the fields that raio has") {
     CHECK_FALSE(ring.occluded(ray{{0.5, 0, 0}, {0, 1, 0}}, 0, 10));
 }
 
+TEST_CASE("distance functions are read, and what is made of them") {
+    const ray up{{0, -8, 0}, {0, 1, 0}};
+    const auto inside = [&](const std::string& words) {
+        const auto solid =
+            only_shape<raio::any_solid<number>>("scale 1 1 1 signed_distance -4 -4 -4  4 4 4 " + words).spans(up);
+        return std::vector(solid.begin(), solid.end());
+    };
+    // A crossing is where the function is within 1e-5 of the box's diagonal, and left at most as much beyond.
+    const auto near = [](const auto& found, const std::vector<raio::interval<number>>& expected) {
+        return std::ranges::equal(found, expected, [](const auto& a, const auto& b) {
+            return std::abs(a.min - b.min) < 3e-4 && std::abs(a.max - b.max) < 3e-4;
+        });
+    };
+    CHECK(near(inside("ball 0 1 0 2"), {{7, 11}}));
+    CHECK(near(inside("ball 0 4 0 2"), {{10, 12}}));  // as far as the box goes
+    CHECK(near(inside("block 0 1 0  5 2 1"), {{7, 11}}));
+    CHECK(near(inside("offset 0.5 block 0 1 0  1 2 1"), {{6.5, 11.5}}));
+    CHECK(near(inside("offset -0.5 ball 0 1 0 2"), {{7.5, 10.5}}));
+    CHECK(near(inside("shell 1 ball 0 0 0 2"), {{5.5, 6.5}, {9.5, 10.5}}));
+    CHECK(near(inside("union 3 ball 0 -2 0 1  ball 9 9 9 1  ball 0 2 0 1"), {{5, 7}, {9, 11}}));
+    CHECK(near(inside("intersection 2 ball 0 0 0 3  block 0 2 0  1 1 1"), {{9, 11}}));
+    CHECK(near(inside("difference 3 ball 0 0 0 3  ball 0 0 0 1  ball 0 3 0 1"), {{5, 7}, {9, 10}}));
+    // Along the y axis a gyroid is a sine.
+    CHECK(near(inside("intersection 2 block 0 0 0  1 3 1  gyroid 4"), {{6, 8}, {10, 11}}));
+    // Halfway between two equal balls a blend adds a quarter of its width to both.
+    CHECK(near(inside("blend 1 2 ball 0 -1 0 1  ball 0 1 0 1"), {{6, 10}}));
+    CHECK(near(inside("blend 1 2 ball 0 -1.125 0 1  ball 0 1.125 0 1"), {{5.875, 10.125}}));
+    CHECK(near(inside("blend 1 2 ball 0 -1.5 0 1  ball 0 1.5 0 1"), {{5.5, 7.5}, {8.5, 10.5}}));
+}
+
 TEST_CASE("transforms stand before any shape, and the last one is applied first") {
     // Twice as long along z, which is then turned to x, and moved.
     const auto ellipsoid =

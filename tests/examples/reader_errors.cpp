@@ -29,7 +29,7 @@ const std::string shapes =
     "frustum, heightfield, hyperboloid, intersection, mesh, open_algebraic, open_cone, open_cylinder, "
     "open_frustum, open_hyperboloid, open_paraboloid, open_quadric, open_two_sheet_hyperboloid, oriented_box, "
     "paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, round_cone, "
-    "sphere, steiner, surface_of_revolution, teardrop, tetrahedron, torus, triangle, two_sheet_hyperboloid, union";
+    "signed_distance, sphere, steiner, surface_of_revolution, teardrop, tetrahedron, torus, triangle, two_sheet_hyperboloid, union";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -302,6 +302,18 @@ const bad_scene bad_objects[] = {
     {"a blob's capsule with one end",
      {.objects = "1 0 0 blob 1 1 capsule 0 0 0 1 1"},
      "5: found the end of the file, expected a number for the other end of a blob's capsule"},
+    {"a signed distance in a flat box",
+     {.objects = "1 0 0 signed_distance 0 0 0 1 0 1"},
+     "5: found a minimum that is not below the maximum of the box of a signed distance, expected the lesser coordinates first"},
+    {"a shape for a distance function",
+     {.objects = "1 0 0 signed_distance 0 0 0 1 1 1 sphere 0 0 0 1"},
+     "5: found 'sphere', expected a distance function: ball, blend, block, difference, gyroid, intersection, offset, shell, union"},
+    {"a block without width",
+     {.objects = "1 0 0 signed_distance 0 0 0 1 1 1 block 0 0 0 1 0 1"},
+     "5: found '0', expected a number above 0 for the half edges of a block"},
+    {"a blend of one",
+     {.objects = "1 0 0 signed_distance 0 0 0 1 1 1 blend 1 1 ball 0 0 0 1"},
+     "5: found less than two distance functions to join, expected at least two"},
     {"a polyhedron without planes",
      {.objects = "1 0 0 polyhedron 0"},
      "5: found a polyhedron without planes, expected at least one"},
@@ -345,6 +357,9 @@ const bad_scene bad_compositions[] = {
     {"a sphere less a disc that was moved",
      {.objects = "1 0 0 difference 2\nsphere 0 0 0 1\nscale 2 2 2 disc 0 0 0  0 1 0  1"},
      "7: found a shape without an inside, expected a solid to combine with others"},
+    {"shells without end",
+     {.objects = "1 0 0 signed_distance 0 0 0 1 1 1 " + repeated("shell 1 ", 100'000)},
+     "5: found a shape that stands in more than 100 others, expected fewer"},
     {"nested without end",
      {.objects = "1 0 0 " + repeated("union 2 ", 100'000)},
      "5: found a shape that stands in more than 100 others, expected fewer"},
