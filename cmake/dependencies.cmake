@@ -29,10 +29,11 @@ raio_source(tinyobjloader libtinyobjloader-dev
     https://github.com/tinyobjloader/tinyobjloader/archive/refs/tags/v2.0.0rc10.tar.gz
     e1bc2e5547b562d33ca4a90b581717984a70d58113d83208dbc97c82e137b9fe)
 raio_source(Boost libboost-dev "" "")  # too large to fetch
+raio_source(MPFR libmpfr-dev "" "")  # has a configure script of its own
 
 # Finds the package on the system, or fetches it. Either way its headers are system headers, without warnings.
 function(raio_dependency package)
-    list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_FUNCTION_LIST_DIR})  # Findstb.cmake, Findtinyobjloader.cmake
+    list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_FUNCTION_LIST_DIR})  # FindMPFR.cmake and others
     set(CMAKE_FIND_PACKAGE_PREFER_CONFIG ON)
     find_package(${package} QUIET GLOBAL)
     if(${package}_FOUND)

@@ -49,7 +49,7 @@ struct bounded_number {
 template <class W>
 RAIO_FN constexpr bound_t<W> triple_product_bound(const vec3<W>& a, const vec3<W>& b, const vec3<W>& c) {
     using E = bound_t<W>;
-    if constexpr (std::same_as<W, double_double>) {
+    if constexpr (!std::same_as<W, E>) {
         return permanent(vec3<E>(a), vec3<E>(b), vec3<E>(c));
     } else {
         return with_underflow<W>(norm1(a) * with_underflow<W>(norm1(b) * norm1(c)));

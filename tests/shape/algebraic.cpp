@@ -169,7 +169,7 @@ TEST_CASE_TEMPLATE("algebraic: properties of every shape", T, RAIO_NUMBERS) {
 // What a ray in 50 digits costs grows with the square of the degree: the higher it is, the fewer there are.
 TEST_CASE_TEMPLATE("algebraic: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<algebraic<T, 4>>();
-    check_accuracy<algebraic<T, 4>>(test_rays / 2);
+    check_accuracy<algebraic<T, 4>>(test_rays);
     check_accuracy<algebraic<T, 3>>(test_rays / 10, 1.0 / 200);
     check_accuracy<algebraic<T, 8>>(test_rays / 20, 1.0 / 200);
     check_bounds_of_errors<algebraic<T, 4>>(test_rays / 10, 0.7);  // faces of the box are not refined

@@ -128,7 +128,7 @@ TEST_CASE_TEMPLATE("blob: properties of every shape", T, RAIO_NUMBERS) { check_p
 
 TEST_CASE_TEMPLATE("blob: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<blob<T>>();
-    check_accuracy<blob<T>>(test_rays / 5);
+    check_accuracy<blob<T>>(test_rays);
     check_bounds_of_errors<blob<T>>(test_rays / 20);
 }
 

@@ -78,7 +78,7 @@ TEST_CASE_TEMPLATE("cone: properties of every shape", T, RAIO_NUMBERS) { check_p
 
 TEST_CASE_TEMPLATE("cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<cone<T>>();
-    check_accuracy<cone<T>>(test_rays / 2);
+    check_accuracy<cone<T>>(test_rays);
     check_bounds_of_errors<cone<T>>(test_rays / 10);
 }
 
@@ -115,7 +115,7 @@ TEST_CASE_TEMPLATE("open_cone: named cases", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("open_cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<open_cone<T>>(); }
 
 TEST_CASE_TEMPLATE("open_cone: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_cone<T>>(test_rays / 2, 1.0 / 200);
+    check_accuracy<open_cone<T>>(test_rays, 1.0 / 200);
     check_bounds_of_errors<open_cone<T>>(test_rays / 10);
 }
 

@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE("ellipsoid: properties of every shape", T, RAIO_NUMBERS) { ch
 
 TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<ellipsoid<T>>();
-    check_accuracy<ellipsoid<T>>(test_rays / 2);
+    check_accuracy<ellipsoid<T>>(test_rays);
     check_bounds_of_errors<ellipsoid<T>>(test_rays / 10);
 }
 

@@ -77,7 +77,7 @@ TEST_CASE_TEMPLATE("frustum: properties of every shape", T, RAIO_NUMBERS) { chec
 
 TEST_CASE_TEMPLATE("frustum: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<frustum<T>>();
-    check_accuracy<frustum<T>>(test_rays / 2);
+    check_accuracy<frustum<T>>(test_rays);
     check_bounds_of_errors<frustum<T>>(test_rays / 10);
 }
 
@@ -116,7 +116,7 @@ TEST_CASE_TEMPLATE("open_frustum: named cases", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("open_frustum: properties of every shape", T, RAIO_NUMBERS) { check_properties<open_frustum<T>>(); }
 
 TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_frustum<T>>(test_rays / 2, 1.0 / 200);
+    check_accuracy<open_frustum<T>>(test_rays, 1.0 / 200);
     check_bounds_of_errors<open_frustum<T>>(test_rays / 10);
 }
 

@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("hyperboloid: properties of every shape", T, RAIO_NUMBERS) { 
 
 TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<hyperboloid<T>>();
-    check_accuracy<hyperboloid<T>>(test_rays / 4);
+    check_accuracy<hyperboloid<T>>(test_rays);
     check_bounds_of_errors<hyperboloid<T>>(test_rays / 20);
 }
 
@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("open_hyperboloid: properties of every shape", T, RAIO_NUMBER
 }
 
 TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_hyperboloid<T>>(test_rays / 4, 1.0 / 200);
+    check_accuracy<open_hyperboloid<T>>(test_rays, 1.0 / 200);
     check_bounds_of_errors<open_hyperboloid<T>>(test_rays / 20);
 }
 

@@ -54,7 +54,7 @@ TEST_CASE_TEMPLATE("paraboloid: properties of every shape", T, RAIO_NUMBERS) { c
 
 TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<paraboloid<T>>();
-    check_accuracy<paraboloid<T>>(test_rays / 2);
+    check_accuracy<paraboloid<T>>(test_rays);
     check_bounds_of_errors<paraboloid<T>>(test_rays / 10);
 }
 
@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("open_paraboloid: properties of every shape", T, RAIO_NUMBERS
 }
 
 TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_paraboloid<T>>(test_rays / 2, 1.0 / 200);
+    check_accuracy<open_paraboloid<T>>(test_rays, 1.0 / 200);
     check_bounds_of_errors<open_paraboloid<T>>(test_rays / 10);
 }
 

@@ -117,7 +117,7 @@ TEST_CASE_TEMPLATE("quadric: as exact arithmetic", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("open_quadric: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<open_quadric<T>>();
-    check_accuracy<open_quadric<T>>(test_rays / 2, 1.0 / 200);
+    check_accuracy<open_quadric<T>>(test_rays, 1.0 / 200);
     check_bounds_of_errors<open_quadric<T>>(test_rays / 10);
 }
 

@@ -41,7 +41,7 @@ TEST_CASE_TEMPLATE("two_sheet_hyperboloid: properties of every shape", T, RAIO_N
 
 TEST_CASE_TEMPLATE("two_sheet_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<two_sheet_hyperboloid<T>>();
-    check_accuracy<two_sheet_hyperboloid<T>>(test_rays / 4);
+    check_accuracy<two_sheet_hyperboloid<T>>(test_rays);
     check_bounds_of_errors<two_sheet_hyperboloid<T>>(test_rays / 20);
 }
 
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: properties of every shape", T, R
 }
 
 TEST_CASE_TEMPLATE("open_two_sheet_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
-    check_accuracy<open_two_sheet_hyperboloid<T>>(test_rays / 4, 1.0 / 200);
+    check_accuracy<open_two_sheet_hyperboloid<T>>(test_rays, 1.0 / 200);
     check_bounds_of_errors<open_two_sheet_hyperboloid<T>>(test_rays / 20);
 }
 

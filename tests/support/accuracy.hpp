@@ -49,7 +49,8 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<numb
         for (crossing<oracle>& c : found) {
             const oracle way = norm1(exact_ray.origin) + norm1(exact_ray.direction) * abs(c.t);
             // Of a tangent half of the 46 digits are known, but one.
-            c.error = (shape_size + way) * std::max(part, c.certain ? 0 : 1e-22) / length(exact_ray.direction);
+            c.error = bound_t<oracle>((shape_size + way) * std::max(part, c.certain ? 0 : 1e-22) /
+                                      length(exact_ray.direction));
         }
     };
     add_errors(crossings, 1e-46);
