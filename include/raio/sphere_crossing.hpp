@@ -51,7 +51,7 @@ template <int Roundings, bool Spare, class W, class Power>
     using E = bound_t<W>;
     constexpr double u = unit_roundoff<W>, least = least_normal<W>;
     W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, s2;
-    E s2_error;
+    E s2_error(0);
     mask_t<W> brief(false);
     if constexpr (Spare) {
         // Each of the two terms is off by less than 20 Roundings u of a (l.l + radius^2). Where s^2 is 2^35 times as

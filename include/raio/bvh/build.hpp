@@ -12,7 +12,7 @@
 namespace raio::detail {
 
 struct build_limits {
-    std::uint32_t leaf = 1;     ///< a leaf holds at most that many references
+    std::uint32_t leaf = 1;     ///< a leaf holds at most that many references, a power of two
     std::uint32_t task = 8192;  ///< sets of at most that many are not shared among threads
     std::uint32_t part = 8192;  ///< a larger one is dealt out in parts of that many
     std::uint32_t depth = 48;   ///< below that, sets are halved as they stand: no input makes a tree too deep
@@ -95,7 +95,7 @@ private:
         const bin_scale bin_of(from.centers);
         bins filled;
         filled.add(references_of(from), bin_of);
-        const bin_split split = filled.best_split();
+        const bin_split split = filled.best_split(limits_.leaf);
         if (split.axis == 3 || from.depth >= limits_.depth) return halve(from);
         division d = divide_at(from, split.left_count);
         distribute(from, d, [&](const build_box& box, std::size_t) { return bin_of(box, split.axis) <= split.last; });
@@ -156,7 +156,7 @@ private:
         std::vector<bin_split> splits;
         std::vector<division> divisions;
         for (std::size_t i = 0; i < level.size(); ++i) {
-            splits.push_back(filled[i].best_split());
+            splits.push_back(filled[i].best_split(limits_.leaf));
             if (level[i].depth >= limits_.depth) splits.back().axis = 3;
             divisions.push_back(divide_at(level[i], splits[i].axis == 3 ? level[i].size() / 2 : splits[i].left_count));
             division& d = divisions.back();

@@ -6,7 +6,8 @@
 /// \file
 /// The binary tree, quickly: the boxes are sorted along a curve that goes through all of space, cell by cell, and is
 /// cut in two where the cells' codes differ in their highest bit (Lauterbach et al., Fast BVH construction on GPUs,
-/// 2009).
+/// 2009). What fills a few leaves only is cut where leaves are full, next to that place: most of the time of such a
+/// build goes into writing them.
 
 namespace raio::detail {
 
@@ -29,6 +30,9 @@ public:
 private:
     static constexpr std::size_t part_size = 16384;
     static constexpr std::uint32_t digit_bits = 10, digits = 1u << digit_bits;
+    /// (Measured, for 4, 8 and 32 leaves of eight triangles: of a million triangles 55, 51 and 48 bytes each instead
+    /// of 73.)
+    static constexpr std::size_t few_leaves = 4;
 
     struct place {
         std::uint32_t code, reference;
@@ -84,8 +88,16 @@ private:
         }
     }
 
-    /// Where a range is cut.
+    /// Where a range is cut that is more than a leaf.
     std::size_t find_cut(std::size_t begin, std::size_t end) const {
+        const std::size_t cut = between_cells(begin, end);
+        if (end - begin > few_leaves * leaf_) return cut;
+        // At a whole number of leaves, each side at least one.
+        const std::size_t nearest = (cut - begin + leaf_ / 2) / leaf_, most = (end - begin - 1) / leaf_;
+        return begin + std::clamp<std::size_t>(nearest, 1, most) * leaf_;
+    }
+
+    std::size_t between_cells(std::size_t begin, std::size_t end) const {
         const std::uint32_t differ = places_[begin].code ^ places_[end - 1].code;
         if (differ == 0) return begin + (end - begin) / 2;
         const std::uint32_t highest = std::bit_floor(differ);

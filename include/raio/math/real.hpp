@@ -133,8 +133,7 @@ RAIO_FN constexpr T constant_abs(T x) {
 }
 template <std::floating_point T>
 RAIO_FN constexpr T constant_copysign(T magnitude, T sign) {
-    using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-    const bool negative = std::bit_cast<bits>(sign) >> (8 * sizeof(T) - 1) != 0;
+    const bool negative = std::bit_cast<std::uint64_t>(static_cast<double>(sign)) >> 63 != 0;
     return negative ? -constant_abs(magnitude) : constant_abs(magnitude);
 }
 
