@@ -1,6 +1,7 @@
 #include "shape_reader.hpp"
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -57,10 +58,7 @@ shape_readings all_shapes() {
         {"union", read_union},
         {"intersection", read_intersection},
         {"difference", read_difference},
-        {"mesh",
-         [](tokens& in, int) -> shape {
-             in.fail("a mesh inside of another shape", "one that stands alone, and has its own offset and scale");
-         }},
+        {"mesh", [](tokens& in, int) -> shape { in.fail("a mesh inside of another shape", "one that stands alone"); }},
     };
     all.merge(flat_shapes());
     all.merge(polyhedra());
@@ -84,11 +82,14 @@ const by_name<transform (*)(tokens&)> transforms{
      }},
 };
 
-/// The transforms that stand before a shape, the last one applied first.
-transform read_transforms(tokens& in) {
+number determinant(const transform& map) { return raio::dot(map.x, raio::cross(map.y, map.z)); }
+
+/// The transforms that stand before a shape, if there are any, the last one applied first.
+std::optional<transform> read_transforms(tokens& in) {
+    if (!transforms.contains(in.peek())) return {};
     transform map;
     while (transforms.contains(in.peek())) map = map * choose(in, transforms, "a transform")(in);
-    const number volume = std::abs(raio::dot(map.x, raio::cross(map.y, map.z)));
+    const number volume = std::abs(determinant(map));
     if (!(volume > 1e-150 && volume < 1e150 && raio::norm1(map.origin) < 1e150)) {
         in.fail("transforms that lead out of the range of numbers", "scales nearer to 1");
     }
@@ -107,28 +108,32 @@ shape transformed(const shape& bare, const transform& map) {
         bare);
 }
 
-shape read_shape(tokens& in, int depth) {
-    expect_not_too_deep(in, depth);
-    const bool moved = transforms.contains(in.peek());
-    const transform map = read_transforms(in);
+shape read_shape_under(const std::optional<transform>& map, tokens& in, int depth) {
     static const shape_readings shapes = all_shapes();
     const shape bare = choose(in, shapes, "a shape")(in, depth);
-    return moved ? transformed(bare, map) : bare;
+    return map ? transformed(bare, *map) : bare;
 }
 
-/// The triangles of a mesh, scaled and then moved.
-std::vector<shape> read_mesh(tokens& in, const meshes& known) {
+shape read_shape(tokens& in, int depth) {
+    expect_not_too_deep(in, depth);
+    const auto map = read_transforms(in);
+    return read_shape_under(map, in, depth);
+}
+
+/// The triangles of a mesh, scaled, then moved, then mapped.
+std::vector<shape> read_mesh(tokens& in, const meshes& known, const transform& map) {
     const std::string name(in.expect_word("the file of a mesh"));
     const vec3 offset = vector(in, "the offset of a mesh");
     const number scale = in.expect_number("the scale of a mesh", positive);
     const auto placed = [&](const vec3& p) {
-        const vec3 at = p * scale + offset;
+        const vec3 at = map.point(p * scale + offset);
         if (raio::norm1(at) > 1e50) in.fail("a mesh that reaches beyond 1e50", "a lesser scale or offset");
         return at;
     };
+    const bool mirrored = determinant(map) < 0;  // corners change places, so that what was outside stays there
     std::vector<shape> triangles;
     for (const auto& [a, b, c] : known.load(known.folder / name)) {
-        triangles.push_back(raio::triangle<number>{placed(a), placed(b), placed(c)});
+        triangles.push_back(raio::triangle<number>{placed(a), placed(mirrored ? c : b), placed(mirrored ? b : c)});
     }
     return triangles;
 }
@@ -151,9 +156,10 @@ raio::box<number> read_clip(tokens& in, std::string_view of) {
 }
 
 std::vector<shape> read_shapes(tokens& in, const meshes& known) {
-    if (in.peek() != "mesh") return {read_shape(in, 0)};
+    const auto map = read_transforms(in);
+    if (in.peek() != "mesh") return {read_shape_under(map, in, 0)};
     in.expect_word("a mesh");
-    return read_mesh(in, known);
+    return read_mesh(in, known, map.value_or(transform{}));
 }
 
 }  // namespace render

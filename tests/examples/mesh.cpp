@@ -88,3 +88,19 @@ TEST_CASE("a mesh is one object of the file and as many of the scene as it has t
     CHECK(rec.t == 5);
     CHECK(rec.index == 2);  // behind the sphere and the other triangle
 }
+
+TEST_CASE("a mesh may be transformed, after its own scale and offset, and is never inside out") {
+    const auto first = [](const std::string& words) {
+        return std::get<raio::triangle<number>>(read({.objects = "1  0 0 " + words}).objects.at(0).shape);
+    };
+    const auto turned = first("translate 0 0 1  rotate 1 0 0 180  mesh square.obj  10 0 0  2");
+    CHECK(raio::length(turned.a - vec3(10, 0, 1)) < 1e-14);
+    CHECK(raio::length(turned.c - vec3(12, -2, 1)) < 1e-14);
+    // From the side that was outside, where x and y are right-handed, both are entered.
+    const ray from_outside{{0.5, 0.25, 5}, {0, 0, -1}}, to_the_mirrored{{-0.5, 0.25, 5}, {0, 0, -1}};
+    hit_record rec;
+    REQUIRE(first("mesh square.obj  0 0 0  1").hit(from_outside, 0, raio::infinity<number>, rec));
+    CHECK(rec.front_face);
+    REQUIRE(first("scale -1 1 1  mesh square.obj  0 0 0  1").hit(to_the_mirrored, 0, raio::infinity<number>, rec));
+    CHECK(rec.front_face);
+}
