@@ -260,8 +260,17 @@ TEST_CASE("distance functions are read, and what is made of them") {
     CHECK(near(inside("intersection 2 block 0 0 0  1 3 1  gyroid 4"), {{6, 8}, {10, 11}}));
     // Halfway between two equal balls a blend adds a quarter of its width to both.
     CHECK(near(inside("blend 1 2 ball 0 -1 0 1  ball 0 1 0 1"), {{6, 10}}));
-    CHECK(near(inside("blend 1 2 ball 0 -1.125 0 1  ball 0 1.125 0 1"), {{5.875, 10.125}}));
+    CHECK(near(inside("blend 1 2 ball 0 -1.24 0 1  ball 0 1.24 0 1"), {{5.76, 10.24}}));
+    // With 0.45 to both it is 0.2 - s^2 at s from there.
+    const double s = std::sqrt(0.2);
+    CHECK(near(inside("blend 1 2 ball 0 -1.45 0 1  ball 0 1.45 0 1"), {{5.55, 8 - s}, {8 + s, 10.45}}));
     CHECK(near(inside("blend 1 2 ball 0 -1.5 0 1  ball 0 1.5 0 1"), {{5.5, 7.5}, {8.5, 10.5}}));
+    // Where the box cuts, its face is the surface.
+    const auto half = only_shape<raio::any_solid<number>>("signed_distance -4 -4 -4  4 4 4  ball 0 4 0 2");
+    hit_record rec;
+    REQUIRE(half.hit(ray{{0.5, 9, 0}, {0, -1, 0}}, 0, raio::infinity<number>, rec));
+    CHECK(std::abs(rec.t - 5) < 3e-4);
+    CHECK(rec.normal.y > 0.999);
 }
 
 TEST_CASE("transforms stand before any shape, and the last one is applied first") {
