@@ -33,7 +33,7 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=1, help="how many run at a time (default: 1)")
     parser.add_argument("--output", type=pathlib.Path, help="the results (default: long_run.json in the build folder)")
     parser.add_argument("--show", action="store_true", help="run nothing: print what has been found before")
-    parser.add_argument("--update", action="store_true", help="put the table into tests/README.md as well")
+    parser.add_argument("--update", action="store_true", help="put the rows into tests/README.md as well")
     return parser.parse_args()
 
 
@@ -71,24 +71,31 @@ def run(command, folder, rays):
     return result, said
 
 
-def table(results):
-    lines = ["| test | rays | compared with 50 digits | t off by, float | double | doubles undecided | seconds | |",
-             "|---|---:|---:|---:|---:|---:|---:|---|"]
-    for name, result in sorted(results.items()):
+def rows(results):
+    """{name: its row}"""
+    found = {}
+    for name, result in results.items():
         compared = result["compared"]
         rays = sum(c["rays"] for c in compared.values())
         ulp = [f"{compared[n]['ulp']:.3f} ulp" if n in compared else "" for n in ("float", "double")]
         undecided = f"{compared['double']['undecided']:,}" if "double" in compared else ""
-        lines.append(f"| {name} | {result['rays']:,} | {f'{rays:,}' if rays else ''} | {ulp[0]} | {ulp[1]} | {undecided} "
-                     f"| {result['seconds']:,.0f} | {'passed' if result['passed'] else '**failed**'} |")
-    return "\n".join(lines)
+        found[name] = (f"| {name} | {result['rays']:,} | {f'{rays:,}' if rays else ''} | {ulp[0]} | {ulp[1]} "
+                       f"| {undecided} | {result['seconds']:,.0f} | {'passed' if result['passed'] else '**failed**'} |")
+    return found
 
 
-def update(text):
+def table(found):
+    return "\n".join(["| test | rays | compared with 50 digits | t off by, float | double | doubles undecided | seconds | |",
+                      "|---|---:|---:|---:|---:|---:|---:|---|", *(row for _, row in sorted(found.items()))])
+
+
+def update(found):
+    """What has not been run again stays."""
     readme = README.read_text()
     before, rest = readme.split(BEGIN)
-    _, after = rest.split(END)
-    README.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}")
+    text, after = rest.split(END)
+    known = {row[1]: row[0] for row in re.findall(r"^(\| ([\w/]+) \| [\d,]+ \|.*)$", text, re.MULTILINE)}
+    README.write_text(f"{before}{BEGIN}\n\n{table(known | found)}\n\n{END}{after}")
 
 
 def main():
@@ -111,9 +118,9 @@ def main():
                 if not result["passed"]:
                     failed = True
                     print(said, file=sys.stderr, flush=True)
-    print(table(results))
+    print(table(rows(results)))
     if options.update:
-        update(table(results))
+        update(rows(results))
     sys.exit(failed)
 
 

@@ -136,18 +136,19 @@ TEST_CASE("retrieved: what a sieve is sure of is found again, or left open") {
     using W = pack<strict_double, 4>;
     constexpr detail::question where = detail::question::where, only_where = detail::question::only_where;
     const mask_t<W> yes(true), no(false);
+    const F t_min(2);
     const double between_floats = 1 + 0x1p-24;
     const auto at = [&](double t, double error) { return crossing<W>{yes, yes, W(t), W(error), yes}; };
     const detail::sifted<F> near{true, false, F(1), F(1.5f), true}, far{true, false, F(2.5f), F(3.5f), false};
 
-    const crossing<W> found = detail::retrieved<where>(near, chord<W>{at(1.25, 0), at(3, 0)});
+    const crossing<W> found = detail::retrieved<where>(near, chord<W>{at(1.25, 0), at(3, 0)}, t_min);
     CHECK((all(found.exists) && found.t[3] == 1.25));
-    CHECK(detail::retrieved<where>(far, chord<W>{at(1.25, 0), at(3, 0)}).t[3] == 3.0);
+    CHECK(detail::retrieved<where>(far, chord<W>{at(1.25, 0), at(3, 0)}, t_min).t[3] == 3.0);
     const detail::sifted<F> unsure{false, true, F(1), F(1.5f), true};
-    CHECK(none(detail::retrieved<where>(unsure, chord<W>{at(1.25, 0), at(3, 0)}).exists));
+    CHECK(none(detail::retrieved<where>(unsure, chord<W>{at(1.25, 0), at(3, 0)}, t_min).exists));
 
     const auto left_open = [&](const crossing<W>& c) {
-        return none(detail::retrieved<where>(near, chord<W>{c, at(3, 0)}).exists);
+        return none(detail::retrieved<where>(near, chord<W>{c, at(3, 0)}, t_min).exists);
     };
     CHECK(left_open(at(between_floats, 0x1p-28)));  // it may be rounded either way
     CHECK(left_open(at(0.5, 0)));                   // it is not the crossing that the sieve has found
@@ -155,15 +156,23 @@ TEST_CASE("retrieved: what a sieve is sure of is found again, or left open") {
     CHECK(left_open(crossing<W>{yes, no, W(1.25), W(0), yes}));
     CHECK(left_open(crossing<W>{no, yes, W(1.25), W(0), yes}));
 
+    // Or one number does not know that the near end is passed.
+    const auto far_left_open = [&](const crossing<W>& c) {
+        return none(detail::retrieved<where>(far, chord<W>{c, at(3, 0)}, t_min).exists);
+    };
+    CHECK(far_left_open(at(1.25, 1)));
+    CHECK(far_left_open(crossing<W>{yes, no, W(1.25), W(0), yes}));
+    CHECK(!far_left_open(crossing<W>{no, yes, W(2.25), W(0), yes}));
+
     // Of a crossing that is the only one, the sieve's error is taken; where there was no sieve, its own.
     const detail::sifted<F> close{true, false, F(1), F(1 + 0x1p-6f)}, rough{true, false, F(1), F(1.5f)};
-    CHECK(all(detail::retrieved<where>(close, at(1, 1)).exists));
-    CHECK(none(detail::retrieved<where>(close, at(between_floats, 0)).exists));
-    CHECK(none(detail::retrieved<where>(rough, at(1, 0)).exists));  // too rough for what is recorded of it
-    CHECK(none(detail::retrieved<where>(detail::sifted<F>{false, true, F(1), F(1)}, at(1, 0)).exists));
-    CHECK(all(detail::retrieved<only_where>(rough, at(1, 0)).exists));
-    CHECK(none(detail::retrieved<only_where>(rough, at(1.25, 1)).exists));
-    CHECK(none(detail::retrieved<only_where>(rough, at(INFINITY, 0)).exists));
+    CHECK(all(detail::retrieved<where>(close, at(1, 1), t_min).exists));
+    CHECK(none(detail::retrieved<where>(close, at(between_floats, 0), t_min).exists));
+    CHECK(none(detail::retrieved<where>(rough, at(1, 0), t_min).exists));  // too rough for what is recorded of it
+    CHECK(none(detail::retrieved<where>(detail::sifted<F>{false, true, F(1), F(1)}, at(1, 0), t_min).exists));
+    CHECK(all(detail::retrieved<only_where>(rough, at(1, 0), t_min).exists));
+    CHECK(none(detail::retrieved<only_where>(rough, at(1.25, 1), t_min).exists));
+    CHECK(none(detail::retrieved<only_where>(rough, at(INFINITY, 0), t_min).exists));
 }
 
 }  // namespace raio::test

@@ -19,7 +19,7 @@ namespace raio {
 /// edges, rims and tangents belong to the shape. A number type that stands alone compares what it has computed.
 template <real W>
 RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error) {
-    if constexpr (std::same_as<W, double_double>) {
+    if constexpr (last_precision<W>) {
         return error;
     } else {
         return bound_t<W>(0);

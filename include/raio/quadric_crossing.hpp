@@ -72,7 +72,7 @@ RAIO_FN constexpr quadric_chord<W> cross_parabola(const parabola<W>& f, const bo
     W zero(0), a = f.a, b = f.b, square = f.square;
     E a_error = f.a_error, b_error = f.b_error, square_error = f.square_error, a_size = abs(E(a)), b_size = abs(E(b));
     const mask_t<W> passes = f.misses();
-    if constexpr (std::same_as<W, double_double>) {
+    if constexpr (last_precision<W>) {
         // Of a line that all but lies in the surface a, b and c are tiny, and tell more than their difference at large.
         const auto [c, c_error] = constant();
         E direct_error = b_error * (E(2) * b_size + b_error) + c_error * (a_size + a_error) + a_error * abs(E(c)) +

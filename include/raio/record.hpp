@@ -74,9 +74,10 @@ RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit
 /// \param bounds  answers with them, to be asked only then
 template <class W, real T, real N, class Bounds>
 RAIO_FN constexpr void keep_in_bounds([[maybe_unused]] hit_record<T, N>& rec, [[maybe_unused]] Bounds bounds) {
-    if constexpr (std::same_as<W, double_double>) {
+    if constexpr (last_precision<W>) {
         constexpr double rounding = (1 + 0x1p-7) * unit_roundoff<T>;  // `padded` has room for that 128th
-        if (norm1(rec.error) > norm1(rec.point) * T(rounding)) rec.point = nearest_in(bounds(), rec.point);
+        const mask_t<T> unknown = norm1(rec.error) > norm1(rec.point) * T(rounding);
+        if (any(unknown)) rec.point = select(unknown, nearest_in(bounds(), rec.point), rec.point);
     }
 }
 

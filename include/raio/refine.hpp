@@ -68,7 +68,8 @@ RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, con
     // What cannot be told from a number of W is that number: simple rays meet simple shapes at simple points.
     W simple(t);
     E beyond = abs(E(t - X(simple)));
-    if (beyond <= error) t = X(simple), error += beyond;
+    const mask_t<X> is_simple = beyond <= error;
+    t = select(is_simple, X(simple), t), error = select(is_simple, error + beyond, error);
     return {.exists = c.exists,
             .certain = every(c.certain, !c.shared, missing.exists, missing.certain),
             .t = t,
@@ -78,5 +79,25 @@ RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, con
             .u = X(c.u) + X(missing.u),
             .v = X(c.v) + X(missing.v)};
 }
+
+namespace detail {
+
+/// Does the shape say what is missing of a crossing?
+template <class Shape, class X, class W>
+concept correctable = requires(const Shape shape, const nearby_ray<X, W> ray, const crossing<W> c) {
+    shape.correction(ray, c);
+};
+
+/// Does a line that is known to cross the surface do so at a number, which can be refined?
+template <class W>
+RAIO_FN constexpr mask_t<W> refinable(const crossing<W>& c) {
+    return every(c.certain, c.exists, is_finite(c.t));
+}
+
+/// Is there no use in asking whether a quick t is certain to its last bit? It has no more bits than T.
+template <class Shape, class T>
+concept always_refined = correctable<Shape, exact_t<T>, working_t<T>> && std::same_as<wider_t<T>, exact_t<T>>;
+
+}  // namespace detail
 
 }  // namespace raio

@@ -24,28 +24,6 @@ template <real T, real R>
 inline constexpr bool works_first =
     !std::same_as<working_t<T>, exact_t<T>> && unit_roundoff<working_t<T>> <= unit_roundoff<R>;
 
-/// Does the shape say what is missing of a crossing?
-template <class Shape, class X, class W>
-concept correctable = requires(const Shape shape, const nearby_ray<X, W> ray, const crossing<W> c) {
-    shape.correction(ray, c);
-};
-
-/// Does a line that is known to cross the surface do so at a number, which can be refined?
-template <class W>
-RAIO_FN constexpr bool refinable(const crossing<W>& c) {
-    return every(c.certain, c.exists, is_finite(c.t));
-}
-
-/// Is there no use in asking whether a quick t is certain to its last bit? It has no more bits than T.
-template <class Shape, class T>
-concept always_refined = correctable<Shape, exact_t<T>, working_t<T>> && std::same_as<wider_t<T>, exact_t<T>>;
-
-/// Is a refined crossing beyond doubt: inside the window, and to the last bit of T?
-template <real T, class X>
-RAIO_FN constexpr bool is_settled(const crossing<X>& fine, T t_min, T t_max) {
-    return fine.certain && rounds_to_one<T>(fine) && in_window(fine, t_min, t_max);
-}
-
 /// The same question, if the quick crossing has not answered it: what is missing of that is added, or the exact formula
 /// decides. Out of line, and without what is known already: where this is rare, it must not cost the common case its
 /// registers.

@@ -2,15 +2,16 @@
 
 #include <raio/lanes.hpp>
 #include <raio/record.hpp>
+#include <raio/refine.hpp>
 #include <raio/window.hpp>
 
 /// \file
 /// How packs are settled: in each lane as the plain number there, bit for bit.
 ///
 /// The formula in the pack's own precision is a sieve. Its crossings state their errors, so of most lanes it is known
-/// whether they are hit, and where about. What is recorded of those that are is found in packs of strict_double,
-/// operation by operation as that of a plain float. Whatever is open after that is asked of the plain shape in its
-/// lane.
+/// whether they are hit, and where about. What is recorded of those that are is found operation by operation as that of
+/// a plain number: of floats in packs of strict_double, of doubles with two of those, which refine what one has found.
+/// Whatever is open after that is asked of the plain shape in its lane.
 
 namespace raio {
 
@@ -90,7 +91,7 @@ RAIO_FN sifted<T> sift(const chord_pair<W>& c, const T& t_min, const T& t_max) {
 /// reckoned again (high - low is more than the error, whatever their roundings). Where `record_point` would see the
 /// difference, the lane is left open.
 template <question Asked, class T, class W>
-RAIO_FN crossing<W> retrieved(const sifted<T>& found, crossing<W> c) {
+RAIO_FN crossing<W> retrieved(const sifted<T>& found, crossing<W> c, const T&) {
     if constexpr (Asked == question::only_where) {
         c.exists = every(rounds_to_one<T>(c), is_finite(T(c.t)));
     } else {
@@ -102,12 +103,14 @@ RAIO_FN crossing<W> retrieved(const sifted<T>& found, crossing<W> c) {
     return c;
 }
 template <question Asked, class T, class W>
-RAIO_FN crossing<W> retrieved(const sifted<T>& found, const chord<W>& c) {
+RAIO_FN crossing<W> retrieved(const sifted<T>& found, const chord<W>& c, const T& t_min) {
     crossing<W> one = select(found.at_near, c.near, c.far);
-    const T t(one.t);
+    const T t(one.t), near_high(c.near.t + c.near.error);
     const mask_t<T> same =
         every(found.low <= t, t <= found.high);  // or one precision took another end for the near one
-    one.exists = every(found.sure, one.exists, one.certain, rounds_to_one<T>(one), same);
+    // The sieve may know better where a ray starts on the surface than one number does, which asks again then.
+    const mask_t<T> passed = every(c.near.certain, some(!c.near.exists, near_high < t_min));
+    one.exists = every(found.sure, one.exists, one.certain, rounds_to_one<T>(one), same, some(found.at_near, passed));
     return one;
 }
 
@@ -136,6 +139,26 @@ RAIO_FN auto crossings_again(const Shape& shape, const ray<T>& ray, const T& t_m
         return shape.template crossings<W>(ray, known_chord<mask_t<T>>{found.in_first});
     } else {
         return crossings_for<W, question::only_where>(shape, ray, t_min, t_max);
+    }
+}
+
+/// Is there a wider precision for those that the sieve has found?
+template <class Shape, class T>
+concept looked_at_again = unit_roundoff<working_t<T>> < unit_roundoff<T> || always_refined<Shape, T>;
+
+/// Those that the sieve has found, where they are beyond doubt.
+template <question Asked, class Shape, class T>
+RAIO_FN auto look_again(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max, const sifted<T>& found) {
+    using W = working_t<T>;
+    if constexpr (always_refined<Shape, T>) {
+        // Which of several it is has to be found out as by one number, or another might be refined.
+        auto quick = crossings_for<W, question::where>(shape, ray, t_min, t_max);
+        auto first = settled_in_window<question::whether>(quick, t_min, t_max).first;
+        auto fine = refined<exact_t<T>>(shape, ray, first);
+        fine.exists = every(found.sure, refinable(first), is_settled(fine, t_min, t_max));
+        return fine;
+    } else {
+        return retrieved<Asked>(found, crossings_again<W>(shape, ray, t_min, t_max, found), t_min);
     }
 }
 
@@ -168,7 +191,6 @@ RAIO_FLATTEN RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T 
 template <detail::question Asked = detail::question::where, detail::has_lanes T, class Shape, real R, real N>
 RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
                                          hit_record<T, N>& rec) {
-    using W = working_t<T>;
     hit_record<T, N> candidate;
     mask_t<T> met(false);
     std::uint32_t left = detail::every_lane<T>;  // who has not been answered
@@ -177,11 +199,10 @@ RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, 
         const std::uint32_t sure = bits(found.sure);
         left = sure | bits(found.open);
         if (left == 0) return false;
-        if constexpr (unit_roundoff<W> < unit_roundoff<T>) {
+        if constexpr (detail::looked_at_again<Shape, T>) {
             if (sure != 0) [[likely]] {
                 detail::keep_as_stored<T>(shape, ray);
-                auto first =
-                    detail::retrieved<Asked>(found, detail::crossings_again<W>(shape, ray, t_min, t_max, found));
+                auto first = detail::look_again<Asked>(shape, ray, t_min, t_max, found);
                 met = first.exists;
                 left &= ~bits(met);
                 detail::record(shape, ray, first, candidate);

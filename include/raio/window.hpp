@@ -73,6 +73,12 @@ RAIO_FN constexpr mask_t<T> rounds_to_one(const crossing<W>& c) {
     return T(sum_as<W>(-c.error, c.t)) == T(sum_as<W>(c.error, c.t));
 }
 
+/// Is a refined crossing beyond doubt: inside the window, and to the last bit of T?
+template <real T, class X>
+RAIO_FN constexpr mask_t<T> is_settled(const crossing<X>& fine, T t_min, T t_max) {
+    return fine.certain && rounds_to_one<T>(fine) && in_window(fine, t_min, t_max);
+}
+
 template <question Asked, real T, class W>
 RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
     if constexpr (Asked == question::only_where) {

@@ -56,6 +56,50 @@ TEST_CASE_TEMPLATE("pack: every lane as a plain number", P, RAIO_PACKS_UNDER_TES
     check_lanes<P>("infinity", [](auto a, auto) { return a < infinity<decltype(a)>; });
 }
 
+/// A function of numbers of two parts, of which both are the same in each lane.
+template <class P, class F>
+void check_both_parts(const char* name, F f) {
+    const auto in_two_parts = [=](auto a, auto b) {
+        using X = exact_t<decltype(a)>;
+        const X small(0x1p-54);
+        return f(X(a) + X(b) * small, X(b) - X(a) * small);
+    };
+    check_lanes<P>(name, [=](auto a, auto b) { return decltype(a)(in_two_parts(a, b)); });
+    check_lanes<P>(name, [=](auto a, auto b) {
+        using X = exact_t<decltype(a)>;
+        const X whole = in_two_parts(a, b);
+        return decltype(a)(whole - X(decltype(a)(whole)));
+    });
+}
+
+TEST_CASE_TEMPLATE("pack: two of doubles, as every lane's double_double", P, pack<double>, pack<double, 6>,
+                   pack<double, 16>) {
+    static_assert(real<exact_t<P>> && std::same_as<scalar_t<exact_t<P>>, double_double>);
+    check_both_parts<P>("a + b", [](auto a, auto b) { return a + b; });
+    check_both_parts<P>("a - b", [](auto a, auto b) { return a - b; });
+    check_both_parts<P>("a * b", [](auto a, auto b) { return a * b; });
+    check_both_parts<P>("a / b", [](auto a, auto b) { return a / b; });
+    check_both_parts<P>("-a", [](auto a, auto) { return -a; });
+    check_both_parts<P>("sqrt", [](auto a, auto) { return sqrt(abs(a)); });
+    check_both_parts<P>("floor", [](auto a, auto) { return floor(a); });
+    // A NaN has any sign.
+    check_both_parts<P>("copysign", [](auto a, auto b) { return copysign(a, select(b == b, b, decltype(b)(1))); });
+    check_both_parts<P>("min, max", [](auto a, auto b) { return min(a, b) + max(a, b); });
+    check_both_parts<P>("quotient", [](auto a, auto b) { return quotient(a, b, a); });
+    check_lanes<P>("a < b", [](auto a, auto b) { return exact_t<decltype(a)>(a) < exact_t<decltype(a)>(b); });
+    check_lanes<P>("a <= b", [](auto a, auto b) { return exact_t<decltype(a)>(a) <= exact_t<decltype(a)>(b); });
+    check_lanes<P>("a == b", [](auto a, auto b) { return exact_t<decltype(a)>(a) == exact_t<decltype(a)>(b); });
+    check_lanes<P>("a != b", [](auto a, auto b) { return exact_t<decltype(a)>(a) != exact_t<decltype(a)>(b); });
+    check_lanes<P>("is_finite", [](auto a, auto) { return is_finite(exact_t<decltype(a)>(a)); });
+    const auto of_one_part = [](auto a, auto b) {
+        using X = exact_t<decltype(a)>;
+        const X two_parts = X(b) / X(3);
+        return sum_as<X>(product_as<X>(a, b), X(0)) + sum_as<X>(a, two_parts) * product_as<X>(b, two_parts) -
+               difference_as<X>(a, b);
+    };
+    check_lanes<P>("of one part", [=](auto a, auto b) { return decltype(a)(of_one_part(a, b)); });
+}
+
 TEST_CASE_TEMPLATE("pack: angles", P, RAIO_PACKS_UNDER_TEST) {
     using S = scalar_t<P>;
     const auto near = [](S a, S b) {

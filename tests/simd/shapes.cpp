@@ -21,13 +21,15 @@ namespace raio::test {
 /// Ordinary rays leave less than one verdict in a hundred open. But of boxes one in four is flat, and a hit there is a
 /// tie; and of capsules one in eight is a sphere, whose axis has no direction.
 template <class Shape>
-void check_packs(double may_be_left_open = 0.01) {
+void check_packs(double may_be_left_open = 0.01, double may_be_asked_alone = 0.01) {
     using P = pack<number_t<Shape>>;
     check_crossings_of_lanes<Shape, P>(test_rays / 20);
     check_lanes_are_plain<Shape, P>(test_rays / 20);
     const double open = fraction_left_open<P, Shape>(20'000);
-    MESSAGE("left open: " << 100 * open << " %");
+    const double alone = fraction_asked_alone<P, Shape>(20'000);
+    MESSAGE("left open: " << 100 * open << " %, of those that are hit asked alone: " << 100 * alone << " %");
     CHECK(open < may_be_left_open);
+    CHECK(alone < may_be_asked_alone);
 }
 
 /// Most of the rays that leave a shape are known not to meet it again.
@@ -50,7 +52,7 @@ TEST_CASE_TEMPLATE("packs: what rays leave that is small in its scene", T, RAIO_
     check(parallelogram<T>{});
 }
 
-// Packs of doubles have no wider ones to ask on which side of it such a ray starts.
+// The sieve of packs of doubles has no wider numbers to ask on which side of it such a ray starts.
 TEST_CASE("packs of floats: what rays leave that is the ground") {
     const auto arriving = [](auto shape) {
         return [=](random_numbers& random) {
@@ -73,6 +75,41 @@ TEST_CASE("packs of floats: a ray that starts closer to a tip than squares of fl
     CHECK((!near.certain[0] || std::abs(double(near.t[0]) - exact) <= double(near.error[0])));
 }
 
+/// A hit is recorded alike by one number and in each lane of packs that are all the same.
+template <class Shape, class Packed>
+void check_same_in_packs(const Shape& plain, const Packed& packed, const ray<number_t<Shape>>& r) {
+    using T = number_t<Shape>;
+    using P = number_t<Packed>;
+    hit_record<T> expected;
+    hit_record<P> found;
+    REQUIRE(plain.hit(r, 0, infinity<T>, expected));
+    REQUIRE(all(packed.hit({vec3<P>(r.origin), vec3<P>(r.direction)}, P(0), P(infinity<T>), found)));
+    for (std::size_t lane = 0; lane < P::lanes; ++lane) CHECK(same_as_plain(detail::in_lane<P>(found, lane), expected));
+}
+
+TEST_CASE("packs of floats: a sliver, of whose error one number knows less than the sieve") {
+    using P = pack<float, 4>;
+    const parallelogram<float> plain{{0, 0, 0},
+                                     {-0x1.3df3d2p+8f, -0x1.1d6fb4p+4f, -0x1.fec5ecp-1f},
+                                     {-0x1.4c2534p+7f, -0x1.4cf3cp+3f, 0x1.9e5dbap-4f}};
+    const ray<float> r{{-0x1.86f3c8p+4f, -0x1.60d2bp+0f, -0x1.2502eap-4f},
+                       {0x1.05751cp-1f, -0x1.3641e2p-1f, -0x1.3849f8p-1f}};
+    const parallelogram<P> packed{vec3<P>(plain.corner), vec3<P>(plain.edge_u), vec3<P>(plain.edge_v)};
+    check_same_in_packs(plain, packed, r);
+}
+
+TEST_CASE("packs of floats: a ray that starts on a round end, which the sieve knows and one number does not") {
+    using P = pack<float, 4>;
+    const round_cone<float> plain{{0x1.ae2cbp+9f, -0x1.33aecep+6f, -0x1.98a07ep+8f},
+                                  {0x1.8aabaep+10f, 0x1.cf5342p+8f, -0x1.0b0426p+10f},
+                                  0x1.c51feap+8f,
+                                  0x1.c51feap+8f};
+    const ray<float> r{{0x1.82291ap+9f, -0x1.a6e5e8p+8f, -0x1.57d784p+9f},
+                       {0x1.8ff88ep-1f, 0x1.3f7b08p-1f, 0x1.3f0cccp-6f}};
+    check_same_in_packs(
+        plain, round_cone<P>{vec3<P>(plain.base), vec3<P>(plain.top), P(plain.base_radius), P(plain.top_radius)}, r);
+}
+
 TEST_CASE_TEMPLATE("packs: sphere", T, RAIO_NUMBERS) { check_packs<sphere<T>>(); }
 TEST_CASE_TEMPLATE("packs: ellipsoid", T, RAIO_NUMBERS) { check_packs<ellipsoid<T>>(); }
 TEST_CASE_TEMPLATE("packs: plane", T, RAIO_NUMBERS) { check_packs<plane<T>>(); }
@@ -89,7 +126,7 @@ TEST_CASE_TEMPLATE("packs: cone", T, RAIO_NUMBERS) { check_packs<cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: open cone", T, RAIO_NUMBERS) { check_packs<open_cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: frustum", T, RAIO_NUMBERS) { check_packs<frustum<T>>(); }
 TEST_CASE_TEMPLATE("packs: open frustum", T, RAIO_NUMBERS) { check_packs<open_frustum<T>>(); }
-TEST_CASE_TEMPLATE("packs: round cone", T, RAIO_NUMBERS) { check_packs<round_cone<T>>(); }
+TEST_CASE_TEMPLATE("packs: round cone", T, RAIO_NUMBERS) { check_packs<round_cone<T>>(0.01, 0.02); }
 TEST_CASE_TEMPLATE("packs: paraboloid", T, RAIO_NUMBERS) { check_packs<paraboloid<T>>(); }
 TEST_CASE_TEMPLATE("packs: open paraboloid", T, RAIO_NUMBERS) { check_packs<open_paraboloid<T>>(); }
 TEST_CASE_TEMPLATE("packs: hyperboloid", T, RAIO_NUMBERS) { check_packs<hyperboloid<T>>(); }
@@ -100,6 +137,9 @@ TEST_CASE_TEMPLATE("packs: open hyperboloid", T, RAIO_NUMBERS) { check_packs<ope
 TEST_CASE_TEMPLATE("packs: open two-sheet hyperboloid", T, RAIO_NUMBERS) {
     check_packs<open_two_sheet_hyperboloid<T>>();
 }
-TEST_CASE_TEMPLATE("packs: convex polyhedron", T, RAIO_NUMBERS) { check_packs<convex_polyhedron<T>>(); }
+TEST_CASE_TEMPLATE("packs: convex polyhedron", T, RAIO_NUMBERS) {
+    // Polyhedra that have fewer planes repeat the last one, and a crossing of two faces is not refined as that of one.
+    check_packs<convex_polyhedron<T>>(0.01, 0.2);
+}
 
 }  // namespace raio::test

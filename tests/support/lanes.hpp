@@ -35,6 +35,8 @@ std::vector<S> numbers() {
                        -limits::infinity(),
                        limits::quiet_NaN()};
     random_numbers random(3);
+    // Close to the end of the range, where not every product of two is beyond it.
+    all.push_back(limits::max() / 8), all.push_back(limits::max() / -64);
     for (int i = 0; i < 50; ++i) all.push_back(static_cast<S>(random.uniform(-10, 10)));
     return all;
 }

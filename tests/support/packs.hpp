@@ -159,7 +159,7 @@ auto crossings_found_again(const packed_probe<Shape, P>& packed) {
         const P most(std::numeric_limits<float>::max());
         const auto sieve = detail::sift(packed.shape.template crossings<P>(packed.ray), -most, most);
         const auto again = detail::retrieved<detail::question::where>(
-            sieve, packed.shape.template crossings<working_t<P>>(packed.ray));
+            sieve, packed.shape.template crossings<working_t<P>>(packed.ray), -most);
         found.push_back({again.exists, again.exists, D(again.t), D(again.error), again.entering});
     }
     return found;
@@ -215,6 +215,24 @@ double fraction_left_open(int rays) {
         for (std::size_t lane = 0; lane < P::lanes; ++lane) open += !found[0].certain[lane];
     }
     return double(open) / count;
+}
+
+/// How many of the lanes that the sieve is sure of, of ordinary rays, have to be asked for alone all the same.
+template <class P, class Shape>
+double fraction_asked_alone(int rays) {
+    random_numbers random(13);
+    const P t_min(0), t_max(std::numeric_limits<scalar_t<P>>::max());
+    int sure = 0, alone = 0;
+    for (int count = 0; count < rays; count += int(P::lanes)) {
+        const auto probes = probes_side_by_side<Shape, P::lanes>(random, ordinary_probe<Shape>);
+        const packed_probe<Shape, P> packed(probes);
+        constexpr detail::question where = detail::question::where;
+        const auto found = detail::sieve<where>(packed.shape, packed.ray, t_min, t_max);
+        if (none(found.sure)) continue;
+        const mask_t<P> again = detail::look_again<where>(packed.shape, packed.ray, t_min, t_max, found).exists;
+        sure += std::popcount(bits(found.sure)), alone += std::popcount(bits(found.sure && !again));
+    }
+    return double(alone) / sure;
 }
 
 /// How many of the lanes leave open what a ray meets that leaves the shape where another hit it, if it did.

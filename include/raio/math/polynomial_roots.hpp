@@ -57,7 +57,7 @@ template <real W, std::size_t N>
     };
     const auto is_enough = [&](const polynomial_root<W>& root) { return E(root.t) - root.error > wanted.from; };
     // (The last precision goes one way to every root, whichever is wanted: what it cannot tell has to be the same.)
-    if constexpr (N == 4 && !std::same_as<W, double_double>) {
+    if constexpr (N == 4 && !last_precision<W>) {
         const first_root<W> first =
             is_finite(wanted.from) ? depressed_quartic<W>(p).between(low, high) : first_root<W>{};
         if (first.known && !first.exists) return {.certain = true};

@@ -13,7 +13,7 @@ namespace raio {
 template <real W>
 RAIO_FN constexpr vec2<W> quadratic_roots(const W& over_a, const W& b, const W& c, const W& s) {
     vec2<W> roots((b - s) * over_a, (b + s) * over_a);
-    if constexpr (std::same_as<W, double_double>) {
+    if constexpr (last_precision<W>) {
         W sum = b + copysign(s, b);
         if (abs(b) < s + s && is_finite(c)) (sum > W(0) ? roots.x : roots.y) = c / sum;
     }

@@ -20,7 +20,9 @@
 namespace raio {
 
 class strict_double;
-class double_double;
+template <class D>
+class basic_double_double;
+using double_double = basic_double_double<strict_double>;
 
 namespace detail {
 
@@ -68,10 +70,10 @@ using exact_t = typename real_traits<T>::exact;
 template <class T>
 using bound_t = typename real_traits<T>::bound;
 
-/// Is it packs that nobody wider corrects on the way, since they only sieve? (Packs of strict_double go the same way as
-/// one.)
+/// Is it packs that nobody wider corrects on the way, since they only sieve? (Packs of strict_double, and of two,
+/// go the same way as one.)
 template <class W>
-inline constexpr bool only_sieves = !std::same_as<mask_t<W>, bool> && !std::same_as<scalar_t<W>, strict_double>;
+inline constexpr bool only_sieves = !std::same_as<mask_t<W>, bool> && std::is_arithmetic_v<scalar_t<W>>;
 
 /// Is it packs that take a closer look at what a sieve has let through?
 template <class W>
@@ -214,6 +216,14 @@ RAIO_FN constexpr T max(T a, T b) {
     } else {
         return select(a < b, b, a);
     }
+}
+
+/// What `if_true` finds where the mask is set, and `if_false` elsewhere. What no lane wants to know is not asked.
+template <class Mask, class IfTrue, class IfFalse>
+RAIO_FN constexpr auto find_where(const Mask& mask, IfTrue if_true, IfFalse if_false) {
+    if (all(mask)) return if_true();
+    if (none(mask)) return if_false();
+    return select(mask, if_true(), if_false());
 }
 
 /// x, or -x where `sign` is negative.

@@ -136,6 +136,10 @@ public:
         return made([&](std::size_t i) { return detail::flipped(x.registers_[i], sign.registers_[i]); });
     }
 
+    /// a b + c, rounded once.
+    RAIO_FN friend pack fma(const pack& a, const pack& b, const pack& c) requires is_strict {
+        return made([&](std::size_t i) { return detail::fused(a.registers_[i], b.registers_[i], c.registers_[i]); });
+    }
     RAIO_FN friend constexpr pack sqrt(const pack& x) {
         return made([&](std::size_t i) { return sqrt(x.registers_[i]); });
     }
@@ -202,6 +206,17 @@ struct real_traits<pack<S, N>> {
     using bound = pack<S, N>;
 };
 
+/// As with one double, two of them settle what one leaves open.
+template <std::size_t N>
+struct real_traits<pack<double, N>> {
+    using scalar = double;
+    using mask = typename pack<double, N>::mask;
+    using index = pack<std::uint64_t, N>;
+    using working = pack<strict_double, N>;
+    using exact = basic_double_double<pack<strict_double, N>>;
+    using bound = pack<double, N>;
+};
+
 template <std::size_t N>
 struct wide<pack<float, N>> {
     using type = pack<double, N>;
@@ -221,6 +236,8 @@ requires(!std::same_as<Other, S>) RAIO_FN constexpr pack_mask<S, N>::pack_mask(c
 // One number that converts to a pack: the compiler knows it, as it would not know a pack.
 template <class S, std::size_t N>
 inline constexpr S infinity<pack<S, N>> = infinity<S>;
+template <class S, std::size_t N>
+inline constexpr double infinity<basic_double_double<pack<S, N>>> = infinity<double>;
 template <class S, std::size_t N>
 inline constexpr S pi<pack<S, N>> = pi<S>;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <type_traits>
@@ -66,6 +67,15 @@ std::uint32_t bits_of(const xsimd::batch_bool<S, A>& mask) {
         return bits;
     }
 }
+
+// What each processor calls a b + c with one rounding.
+#if defined(__FMA__)
+inline __m128d fused_of(__m128d a, __m128d b, __m128d c) { return _mm_fmadd_pd(a, b, c); }
+inline __m256d fused_of(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
+#if XSIMD_WITH_AVX512F
+inline __m512d fused_of(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
+#endif
+#endif
 
 // Compilers take these for the two instructions, of which the first is enough.
 #if XSIMD_WITH_AVX512F
@@ -149,6 +159,22 @@ RAIO_FN constexpr Register rounded_product(const Register& a, const Register& b)
     asm("" : "+w"(product.data));
 #endif
     return product;
+}
+
+/// a b + c, rounded once.
+template <class Register>
+RAIO_FN Register fused(const Register& a, const Register& b, const Register& c) {
+    if constexpr (requires { fused_of(a.data, b.data, c.data); }) {
+        return Register(fused_of(a.data, b.data, c.data));
+    } else if constexpr (std::floating_point<Register>) {
+        return std::fma(a, b, c);
+    } else {
+        using S = typename Register::value_type;
+        std::array<S, Register::size> x = std::bit_cast<decltype(x)>(a), y = std::bit_cast<decltype(x)>(b),
+                                      z = std::bit_cast<decltype(x)>(c);
+        for (std::size_t i = 0; i < x.size(); ++i) z[i] = std::fma(x[i], y[i], z[i]);
+        return std::bit_cast<Register>(z);
+    }
 }
 
 /// x, or -x where `sign` is negative.

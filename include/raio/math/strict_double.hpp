@@ -32,6 +32,13 @@ RAIO_FN constexpr double rounded_product(double a, double b) {
 #endif
 }
 
+/// Does the processor multiply and add with one rounding?
+#if defined(__FMA__) || defined(FP_FAST_FMA) || defined(__CUDA_ARCH__)
+inline constexpr bool fuses = true;
+#else
+inline constexpr bool fuses = false;
+#endif
+
 /// With g++ 12 a float that was made of a double can come out as that double again, never rounded, when the optimiser
 /// has packed two of the conversions into one vector. So it does not learn what the floats of an argument were made of:
 /// for all it knows they may have changed here, in memory, where they are floats. Costs nothing if they lie there. (Of
@@ -76,6 +83,10 @@ public:
     RAIO_FN friend constexpr bool operator>(strict_double a, strict_double b) { return a.value_ > b.value_; }
     RAIO_FN friend constexpr bool operator>=(strict_double a, strict_double b) { return a.value_ >= b.value_; }
 
+    /// a b + c, rounded once: where that is asked for it is no contraction.
+    RAIO_FN friend strict_double fma(strict_double a, strict_double b, strict_double c) {
+        return std::fma(a.value_, b.value_, c.value_);
+    }
     RAIO_FN friend constexpr strict_double sqrt(strict_double x) { return raio::sqrt(x.value_); }
     RAIO_FN friend constexpr strict_double abs(strict_double x) { return raio::abs(x.value_); }
     RAIO_FN friend constexpr strict_double floor(strict_double x) { return raio::floor(x.value_); }

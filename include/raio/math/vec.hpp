@@ -58,6 +58,16 @@ RAIO_FN constexpr T permanent(const vec3<T>& a, const vec3<T>& b, const vec3<T>&
     return dot(abs(a), vec3<T>(p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x));
 }
 
+/// The component along one of the three axes.
+template <real T, class Axis>
+RAIO_FN constexpr T component(const vec3<T>& a, const Axis& axis) {
+    if constexpr (std::integral<Axis>) {
+        return a[static_cast<glm::length_t>(axis)];
+    } else {
+        return select(axis == Axis(0), a.x, select(axis == Axis(1), a.y, a.z));
+    }
+}
+
 /// The sum of the components' magnitudes: never below the length, never above 1.74 times it, and free of roots.
 template <real T>
 RAIO_FN constexpr T norm1(const vec3<T>& a) {

@@ -59,7 +59,7 @@ struct box {
             W o(origin), over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
             const auto way_to = [&](T face) {
                 W apart = W(face) - o, t = apart * over_d;
-                if constexpr (std::same_as<W, double_double>) {  // whose products are no numbers beyond its range
+                if constexpr (last_precision<W>) {  // whose products are no numbers beyond its range
                     if (!is_finite(t)) t = (apart > W(0)) == (over_d > W(0)) ? inf : -inf;
                 }
                 return t;
@@ -112,17 +112,22 @@ struct box {
     template <class X, class W>
     RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
         using E = bound_t<X>;
-        const auto i = static_cast<glm::length_t>(c.face), j = (i + 1) % 3, k = (i + 2) % 3;
         vec3<X> size = difference_as<X>(max, min);
         auto [p, p_error] = ray.seen_from(min);
-        const bool at_low = c.entering == (ray.direction[i] > W(0));
+        vec3<X> to_high = size - p;
+        W d = component(ray.direction, c.face);
+        const mask_t<W> at_low = c.entering == (d > W(0));
+        X off = select(at_low, component(p, c.face), -component(to_high, c.face));
         E error = p_error + E(4 * unit_roundoff<X>) * norm1(vec3<E>(size));
-        crossing<W> missing = newton_step(at_low ? p[i] : p[i] - size[i], error, ray.direction[i], E(0));
+        crossing<W> missing = newton_step(off, error, d, E(0));
         // Where another slab ends as near, it may be its face.
         E reach = E(2) * (error + c.error * norm1(vec3<E>(ray.direction)));
-        vec3<E> from_low(p), from_high(size - p);
-        missing.certain = every(missing.certain, from_low[j] > reach, from_high[j] > reach, from_low[k] > reach,
-                                from_high[k] > reach);
+        const auto apart = [&](unsigned axis, const E& from_low, const E& from_high) {
+            return some(c.face == index_t<W>(axis), every(from_low > reach, from_high > reach));
+        };
+        vec3<E> low(p), high(to_high);
+        missing.certain =
+            every(missing.certain, apart(0, low.x, high.x), apart(1, low.y, high.y), apart(2, low.z, high.z));
         return missing;
     }
 

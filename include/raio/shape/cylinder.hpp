@@ -68,7 +68,7 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     E s_error = quotient(under_root_error, E(s), E(infinity<E>)) + E(8 * u) * E(s);
     E farthest = (abs(E(b)) + E(s)) * E(over_a);
     E error = two * (b_error + s_error + farthest * a_error) * E(over_a) + E(8 * u) * farthest;
-    if constexpr (std::same_as<W, double_double>) {
+    if constexpr (last_precision<W>) {
         // All that a tangent, or a line that is all but parallel, may be off by would make a tie of what is none. This
         // is the most that others are off by: where the angle between the lines is above 2 degrees (the sine's square
         // above 2^-10) and the chord above a 32nd of the diameter.

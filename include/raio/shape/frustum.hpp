@@ -68,7 +68,7 @@ template <class X, class W, real T>
 RAIO_FN constexpr crossing<W> correct_frustum(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
                                               const nearby_ray<X, W>& ray, const crossing<W>& c) {
     return correct_axial(base, top, ray, c, [&] {
-        const auto from_narrow_end = ray.seen_from(radii.y < radii.x ? top : base);
+        const auto from_narrow_end = ray.seen_from(select(radii.y < radii.x, top, base));
         return correct_quadric(nappes(widening_axis<X>(base, top, radii), radii), from_narrow_end, ray.direction, c);
     });
 }

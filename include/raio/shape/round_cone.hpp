@@ -137,7 +137,6 @@ private:
     struct touching_cone {
         W radius, widening;  ///< at the base, and from there to the top
         W apart;             ///< D
-        mask_t<W> precise;   ///< is D as good as it has to be? Of packs there are no more digits to be had
         revolved_quadric<W> surface;
 
         RAIO_FN constexpr explicit touching_cone(const round_cone& s) : radius(s.base_radius) {
@@ -145,14 +144,13 @@ private:
             W axis2 = dot(axis, axis);
             widening = W(s.top_radius) - radius;
             apart = axis2 - widening * widening;
-            precise = axis2 >= W(8) * (axis2 - apart);  // it cancels where the cone is wide
-            if constexpr (only_sieves<W>) precise = true;
-            if (std::same_as<mask_t<W>, bool> && !all(precise)) {
-                precise = true;
-                using X = exact_t<T>;
+            const mask_t<W> precise = axis2 >= W(8) * (axis2 - apart);  // it cancels where the cone is wide
+            if (!only_sieves<W> && !all(precise)) {
+                using X = std::conditional_t<looks_closer<W>, basic_double_double<W>, exact_t<T>>;
                 vec3<X> exact_axis = difference_as<X>(s.top, s.base);
                 X exact_widening = X(s.top_radius) - X(s.base_radius), exact_axis2 = dot(exact_axis, exact_axis);
-                axis2 = W(exact_axis2), apart = W(exact_axis2 - exact_widening * exact_widening);
+                axis2 = select(precise, axis2, W(exact_axis2));
+                apart = select(precise, apart, W(exact_axis2 - exact_widening * exact_widening));
             }
             W scale = quotient(axis2, max(apart, W(0)), W(0)), r = radius;
             surface = {axis, W(1),           scale * r * r, W(2) * scale * r * widening, scale * widening * widening,
@@ -171,7 +169,6 @@ private:
         const mask_t<W> sided = apart > W(0);
         chord<W> c = detail::one_nappe(cross_quadric(cone.surface, to_center, norm1(vec3<E>(to_center)), d),
                                        dot(d, axis) > W(0));
-        c.near.certain = every(c.near.certain, cone.precise), c.far.certain = every(c.far.certain, cone.precise);
         if constexpr (!only_sieves<W>) {
             // Whether the line starts on the cone, rho^2 D = (r + w h)^2 A.A says without a division.
             const mask_t<W> near_0 = abs(E(c.near.t)) <= c.near.error, far_0 = abs(E(c.far.t)) <= c.far.error;
@@ -192,7 +189,7 @@ private:
         c = intersect(c, detail::cross_slab(axis, above(s.base, s.base_radius), above(s.top, s.top_radius), d));
         for (crossing<W>* end : {&c.near, &c.far}) {
             end->exists = every(end->exists, sided);
-            end->certain = some(end->certain, every(cone.precise, !sided));
+            end->certain = some(end->certain, !sided);
         }
         return c;
     }
