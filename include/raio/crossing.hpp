@@ -147,13 +147,7 @@ RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& erro
     // No slope at all is certain where no term of it has a size: not where one was too small for its digits, or is not
     // in the range.
     const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= with_underflow<W>(E(0)));
-    W inverse;
-    if constexpr (looks_closer<W>) {
-        inverse = W(1) / slope;  // not zero where the sieve is sure of a crossing; no other lane counts
-    } else {
-        inverse = quotient(W(1), slope, W(0));
-    }
-    return {slope, error, inverse, every(size > tie<W>(error), in_range),
+    return {slope, error, quotient(W(1), slope, W(0)), every(size > tie<W>(error), in_range),
             every(size >= E(2) * error, in_range, has_digits)};
 }
 

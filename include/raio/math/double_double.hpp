@@ -121,9 +121,10 @@ public:
 
     RAIO_FN friend constexpr basic_double_double sqrt(basic_double_double x) {
         const D root = sqrt(x.high_);
-        return only_where(every(root > D(0), raio::is_finite(root)), root, [&] {
+        const mask sound = every(root > D(0), raio::is_finite(root));
+        return only_where(sound, root, [&] {
             const basic_double_double remainder = x - exact_product(root, root);  // one step of Newton's method
-            return renormalized(root, remainder.high_ / (root + root));
+            return renormalized(root, remainder.high_ / select(sound, root + root, D(1)));
         });
     }
     RAIO_FN friend constexpr basic_double_double abs(basic_double_double x) { return select(x.high_ < D(0), -x, x); }
