@@ -72,8 +72,9 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
     W over_size = quotient(W(1), size, W(0)), t = way * over_size;
     E t_error = E(2) * (way_error + abs(E(t)) * size_error) * E(over_size) + E(4 * unit_roundoff<W>) * abs(E(t));
     if constexpr (only_sieves<W>) {
-        // What is found again knows as much of its error as one number, which knows less of that of the way: where that
-        // matters, a sixteenth of t is too much for `retrieved`, and decides nothing else.
+        // One number knows less of the error of the way, and records what it knows. Where that is more than `retrieved`
+        // takes for nothing, which is a 64th of t here, a 16th is said: the lane is asked alone if it is hit, and t
+        // keeps its sign.
         E looser = E(2) * k * triple_product_bound(e2, s, e1) * E(over_size);
         t_error = max(t_error, min(looser, abs(E(t)) * E(0x1p-4)));
     }
