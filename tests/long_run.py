@@ -85,7 +85,7 @@ def rows(results):
 
 
 def table(found):
-    return "\n".join(["| test | rays | compared with 50 digits | t off by, float | double | doubles undecided | seconds | |",
+    return "\n".join(["| test | rays | compared with 75 digits | t off by, float | double | doubles undecided | seconds | |",
                       "|---|---:|---:|---:|---:|---:|---:|---|", *(row for _, row in sorted(found.items()))])
 
 

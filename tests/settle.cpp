@@ -236,7 +236,7 @@ void check_recorded_error() {
             const oracle o(origin[axis]), d(direction[axis]), p(rec.point[axis]), stated(rec.error[axis]);
             for (const double off : {-error, error}) REQUIRE(abs(o + d * (oracle(t) + off) - p) <= stated);
             const oracle most = abs(d) * error + (abs(p) + abs(o)) * 10 * unit_roundoff<T>;
-            REQUIRE(stated <= most * 1.001 + norm1(vec3<oracle>(rec.point)) * 0x1p-87 + least_normal<T>);
+            REQUIRE(stated <= most * 1.001 + norm1(vec3<oracle>(rec.point)) * 0x1p-71 + least_normal<T>);
             largest = std::max(largest, rounded<double>(abs(o + d * t - p) / stated));
         }
     }
@@ -301,9 +301,9 @@ TEST_CASE_TEMPLATE("record_point: what curves is left by more than its normal is
     record_point(through_origin, at<W>(0), curved, T(3));
     CHECK(flat.error.y < least_normal<T> * 2);
     CHECK(flat.error.y >= least_normal<T>);
-    CHECK(curved.error.y / (3 * (4 * u * u + T(0x1p-88))) == doctest::Approx(1));
+    CHECK(curved.error.y / (3 * (4 * u * u + T(0x1p-72))) == doctest::Approx(1));
     record_point(through_origin, at<W>(2), flat);
-    CHECK(flat.error.y / T(0x1p-87) == doctest::Approx(1));
+    CHECK(flat.error.y / T(0x1p-71) == doctest::Approx(1));
     CHECK(flat.error.x <= 10 * eps);
 }
 

@@ -7,7 +7,7 @@
 #include "support/oracle.hpp"
 
 // Do raio and Embree give the same answers? Every ray of the benchmark is put to both; where they differ, a search
-// through all triangles with 50 digits says who is right. Prints a table, and with --list every difference. The name of
+// through all triangles with 75 digits says who is right. Prints a table, and with --list every difference. The name of
 // a scene asks for that one only. The exit status is 1 if raio was wrong.
 
 namespace {

@@ -49,6 +49,11 @@ template <real T, real N, real R, class W>
 RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec, T bend = T(0)) {
     rec.t = T(c.t) + T(0);  // never -0
     rec.point = vec3<T>(sum_as<W>(ray.origin, product_as<W>(ray.direction, c.t)));
+    if constexpr (last_precision<W>) {  // bounds without a thickness, as those of a single point, expect no rounding of 0
+        const vec3<T> rounding = abs(vec3<T>(ray.origin)) * T(8 * unit_roundoff<W>);
+        const auto not_0 = [](const T& p, const T& off) { return select(abs(p) <= off, T(0), p); };
+        rec.point = {not_0(rec.point.x, rounding.x), not_0(rec.point.y, rounding.y), not_0(rec.point.z, rounding.z)};
+    }
     const T reach = norm1(rec.point);
     if (!all(is_finite(reach))) rec.point = detail::put_within_range(rec.point);
 
@@ -60,7 +65,7 @@ RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit
     const T of_t = min(max(T(c.error), detail::least_recorded_error(rec.t)) + least, most);
     // A ray that leaves at the angle of the normal's own rounding must not meet a curved surface again, and every
     // crossing of a point that is off by this much has to be certain in double_double.
-    const T floor = bend * T(4 * in_t * in_t) + (bend + reach) * T(0x1p-88) + least;
+    const T floor = bend * T(4 * in_t * in_t) + (bend + reach) * T(0x1p-72) + least;
     vec3<T> error = vec3<T>(abs(ray.direction) * R(of_t)) + vec3<T>(abs(ray.origin) * R(in_w));
     error += abs(rec.point) * T(in_t + in_w);
     error = error * T(up) + vec3<T>(floor);

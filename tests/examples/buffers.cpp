@@ -90,7 +90,7 @@ TEST_CASE("a disc, a box and a plane across the view have exactly the depth, nor
     for (const int count : pixels) CHECK(count > 50);  // each is seen
 }
 
-TEST_CASE("spheres have the depth of the quadratic formula in 50 digits, rounded once, and the normal to 2 ulp") {
+TEST_CASE("spheres have the depth of the quadratic formula in 75 digits, rounded once, and the normal to 2 ulp") {
     struct ball {
         raio::sphere<number> sphere;
         char letter;

@@ -41,7 +41,7 @@ TEST_CASE_TEMPLATE("rotation: counter-clockwise about an axis of any length", T,
     CHECK(same(rotation<T>({1, 2, 3}, 0), transform<T>{}));
 }
 
-TEST_CASE_TEMPLATE("linear_inverse: as in 50 digits", T, RAIO_NUMBERS) {
+TEST_CASE_TEMPLATE("linear_inverse: as in 75 digits", T, RAIO_NUMBERS) {
     using W = wider_t<T>;
     random_numbers random(11);
     for (int i = 0; i < at_least(1000); ++i) {

@@ -166,7 +166,7 @@ TEST_CASE_TEMPLATE("algebraic: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<open_algebraic<T, 4>>();
 }
 
-// What a ray in 50 digits costs grows with the square of the degree: the higher it is, the fewer there are.
+// What a ray in 75 digits costs grows with the square of the degree: the higher it is, the fewer there are.
 TEST_CASE_TEMPLATE("algebraic: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<algebraic<T, 4>>();
     check_accuracy<algebraic<T, 4>>(test_rays);

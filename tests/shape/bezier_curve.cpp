@@ -44,9 +44,9 @@ struct subject<bezier_curve<T>> {
         return {cubic(s.p0, s.p1, s.p2, s.p3), cubic(s.r0, s.r1, s.r2, s.r3)};
     }
     static ball<double> random_ball(const bezier_curve<T>& s, random_numbers& random) {
-        const auto [center, radius] =
-            swept(s, static_cast<T>(random.one_in(4) ? random.integer(0, 1) : random.uniform()));
-        return {to_double(center), static_cast<double>(radius)};
+        const double u = random.one_in(4) ? random.integer(0, 1) : random.uniform();
+        const auto [center, radius] = subject<bezier_curve<double>>::swept(converted<double>(s), u);
+        return {center, radius};
     }
     static vec3<double> inner_point(const bezier_curve<T>& s, random_numbers& random) {
         const auto [center, radius] = random_ball(s, random);
@@ -177,6 +177,14 @@ TEST_CASE("bezier_curve: where a thorn is met from far away (the point lay beyon
                           {-0x1.f31d623df1377p+17, -0x1.fee32d760fe4ep+17, -0x1.b1f84ff526382p+17}};
     CHECK(inconsistent_record(probe<bezier_curve<double>>{thorn, ray, 0, infinity<double>}) == "");
     CHECK(thorn.occluded(ray, 0, 2));
+}
+
+TEST_CASE("bezier_curve: what leaves a line that touches every sphere") {
+    const bezier_curve<double> curve{{-1, 0, -1}, {1, 1, -2}, {1, 0, 0}, {1, 0, 0}, 1, 0, 1, 1};  // all are below y = 1
+    hit_record<double> rec;
+    REQUIRE(curve.hit({{1, 1, 0}, {-1, 0, -1}}, 0, infinity<double>, rec));
+    const vec3<double> up(0x1.4c2da458f8b7cp-8, 0x1.9f8f3b68ee027p-1, -0x1.2b13eeb38bbecp-1);
+    CHECK_FALSE(curve.occluded(spawn_ray(rec, up), 0, infinity<double>));
 }
 
 TEST_CASE_TEMPLATE("bezier_curve: properties of every shape", T, RAIO_NUMBERS) { check_properties<bezier_curve<T>>(); }

@@ -59,15 +59,27 @@ struct subject<bilinear_patch<T>> {
         const vec3<oracle> a = s.p00 - q, b = s.p10 - q, c = s.p01 - q, d = s.p11 - q;
         return {dot(b, cross(c, d)), -dot(a, cross(c, d)), dot(a, cross(b, d)), -dot(a, cross(b, c))};
     }
-    /// Does the line lie in the surface, which is not flat? Three of its points do then.
+    /// Of a flat patch, the longest of what the corners say.
+    static vec3<oracle> plane_normal(const bilinear_patch<oracle>& s) {
+        const vec3<oracle> a = s.p10 - s.p00, b = s.p01 - s.p00, c = s.p11 - s.p00;
+        vec3<oracle> normal = cross(a, b);
+        for (const vec3<oracle>& other : {cross(b, c), cross(c, a)}) {
+            if (length(other) > length(normal)) normal = other;
+        }
+        return normal;
+    }
+    /// Does the line lie in the surface, or in the plane of one that is flat? Three of its points do then.
     static bool lies_in_side(const bilinear_patch<oracle>& s, const ray<oracle>& r) {
         for (int t = 0; t < 3; ++t) {
-            const auto [w00, w10, w01, w11] = weights(s, r.origin + r.direction * oracle(t));
-            if (w00 + w10 + w01 + w11 == 0 || w00 * w11 != w10 * w01) return false;
+            const vec3<oracle> p = r.origin + r.direction * oracle(t);
+            const auto [w00, w10, w01, w11] = weights(s, p);
+            const bool is_flat = w00 + w10 + w01 + w11 == 0;
+            if (is_flat ? dot(plane_normal(s), vec3<oracle>(p - s.p00)) != 0 : w00 * w11 != w10 * w01) return false;
         }
         return true;
     }
-    /// The implicit form over its slope, or how far the point is beyond an edge.
+    /// The implicit form over its slope, or how far a point of the surface is beyond an edge. (u and v say nothing
+    /// about others: of a patch that is nearly flat they may be anything.)
     static oracle distance(const bilinear_patch<oracle>& s, const vec3<oracle>& p) {
         const auto form = [&](const vec3<oracle>& q) {
             const auto [w00, w10, w01, w11] = weights(s, q);
@@ -82,16 +94,12 @@ struct subject<bilinear_patch<T>> {
         const auto [w00, w10, w01, w11] = weights(s, p);
         const oracle sum = w00 + w10 + w01 + w11;
         if (abs(sum) < size * size * size * oracle(1e-30)) {
-            const vec3<oracle> a = s.p10 - s.p00, b = s.p01 - s.p00, c = s.p11 - s.p00;
-            vec3<oracle> normal = cross(a, b);
-            for (const vec3<oracle>& other : {cross(b, c), cross(c, a)}) {
-                if (length(other) > length(normal)) normal = other;
-            }
-            return abs(dot(normalize(normal), vec3<oracle>(p - s.p00)));
+            return abs(dot(normalize(plane_normal(s)), vec3<oracle>(p - s.p00)));
         }
         const oracle u = (w10 + w11) / sum, v = (w01 + w11) / sum;
         const oracle beyond = max(max(oracle(-u), oracle(u - 1)), max(oracle(-v), oracle(v - 1)));
-        return max(oracle(abs(here) / length(slope)), oracle(beyond * size));
+        const oracle off = abs(here) / length(slope);
+        return off < size * oracle(1e-30) ? max(off, oracle(beyond * size)) : off;
     }
     static bilinear_patch<oracle> grown(const bilinear_patch<oracle>& s) {
         const oracle low(-1e-40), high(1 + oracle(1e-40));
@@ -164,6 +172,18 @@ TEST_CASE_TEMPLATE("bilinear_patch: named cases", T, RAIO_NUMBERS) {
         {"bow, where it is steep", bow, {{0.5, 0.5, -5}, {0, 0, 1}}, leaves(5.5)},
         {"folded: two layers, the lesser u first", folded, down(1.125, 1.125), enters(5)},
         {"folded: the tip is not reached", folded, down(2, 2), misses},
+        {"folded about its diagonal: on the fold, the lesser u first",
+         {{0, 3, -3}, {3, -2, 1}, {3, -2, 1}, {-3, -1, 3}},
+         {{0, -1, 4}, {0, 0, -1}},
+         enters(23.0 / 9)},
+        {"folded about its edge u = 0",
+         {{1, 0, -3}, {3, 3, 2}, {3, 1, 2}, {3, 0, 2}},
+         {{-3, -2, 3}, {2, 1, -1}},
+         enters(8.0 / 3)},
+        {"folded about its diagonal: in its plane, along an edge",
+         {{2, 1, -2}, {-3, 1, -2}, {-3, 1, -2}, {-3, 2, -1}},
+         {{-3, 1, -2}, {1, 0, 0}},
+         misses},
         {"a triangle, from one number above it", half, {{0.5, 0.5, 1 + eps}, {0, 0, -1}}, enters(eps)},
         {"all in one point", {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{1, 1, 5}, {0, 0, -1}}, misses},
         {"all in one line", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 0, 0}}, down(0.5, 0), misses},

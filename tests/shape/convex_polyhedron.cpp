@@ -95,6 +95,18 @@ TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many 
     }
 }
 
+TEST_CASE_TEMPLATE("convex_polyhedron: a single point is hit within its bounds", T, RAIO_NUMBERS) {
+    const convex_polyhedron<T> origin{{{{T(-0x1.4569e8p-1), T(-0x1.362bccp-2), T(-0x1.a2af2cp+0)}, 0},
+                                       {{0, 0, -1}, 0},
+                                       {{0, -1, 0}, 0},
+                                       {{0, 1, 0}, 0},
+                                       {{-1, 0, 0}, 0},
+                                       {{2, 2, 2}, 0}}};
+    hit_record<T> rec;
+    REQUIRE(origin.hit({{-4, -4, -4}, {1, 1, 1}}, T(0), infinity<T>, rec));
+    CHECK(origin.bounds().contains(rec.point));
+}
+
 TEST_CASE_TEMPLATE("convex_polyhedron: samples are spread evenly over the area", T, RAIO_NUMBERS) {
     // The corner of a cube, cut off.
     const convex_polyhedron<T> corner{{{{-1, 0, 0}, 0}, {{0, -1, 0}, 0}, {{0, 0, -1}, 0}, {{1, 1, 1}, -1}}};

@@ -184,7 +184,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_
         const bool hit = s.hit(r, T(0), infinity<T>, rec);
         REQUIRE(s.occluded(r, T(0), infinity<T>) == hit);
 
-        // In 50 digits: every crossing lies on the profile, and the first of them in the window is the answer.
+        // In 75 digits: every crossing lies on the profile, and the first of them in the window is the answer.
         const ray<oracle> exact_ray{vec3<oracle>(r.origin), vec3<oracle>(r.direction)};
         const vec3<oracle> base(s.base), axis(s.axis);
         oracle first = infinity<oracle>;

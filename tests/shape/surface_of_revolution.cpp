@@ -11,7 +11,7 @@
 
 namespace raio::test {
 
-/// Those of a segment of a profile in 50 digits, as those of the shape that it is.
+/// Those of a segment of a profile in 75 digits, as those of the shape that it is.
 inline chord<oracle> crossings_of_piece(const vec3<oracle>& base, const vec3<oracle>& axis, const vec2<oracle>& from,
                                         const vec2<oracle>& to, const ray<oracle>& r) {
     const vec3<oracle> start = base + axis * from.y, end = base + axis * to.y;
@@ -112,15 +112,17 @@ struct subject<lone_segment<T>> : revolved_subject<lone_segment<T>, segment_prof
         return frustum_subject<open_frustum<T>>::lies_in_side(side, r);
     }
     static lone_segment<oracle> grown(lone_segment<oracle> s) {
-        const oracle more(1e-40), height = (s.to_height - s.from_height) * more;
+        const oracle more(1e-50), height = s.to_height - s.from_height, widening = s.to_radius - s.from_radius;
         if (height == 0) {
-            if (s.from_radius == s.to_radius) return s;  // nothing at all
-            const bool widens = s.from_radius < s.to_radius;
+            if (widening == 0) return s;  // nothing at all
+            const bool widens = widening > 0;
             s.from_radius *= widens ? 1 - more : 1 + more;
             s.to_radius *= widens ? 1 + more : 1 - more;
         } else {
-            s.from_height -= height, s.to_height += height;
-            s.from_radius *= 1 + more, s.to_radius *= 1 + more;
+            const oracle before(s.from_radius > 0 ? 1e-21 : 1e-50), behind(s.to_radius > 0 ? 1e-21 : 1e-50);
+            s.from_height -= height * before, s.to_height += height * behind;
+            if (s.from_radius > 0) s.from_radius = (s.from_radius - widening * before) * (1 + more);
+            if (s.to_radius > 0) s.to_radius = (s.to_radius + widening * behind) * (1 + more);
         }
         return s;
     }
@@ -161,7 +163,7 @@ surface_of_revolution<T> random_surface(random_numbers& random) {
     return s;
 }
 
-/// All crossings in 50 digits, in order, and the segments that they lie on.
+/// All crossings in 75 digits, in order, and the segments that they lie on.
 template <class T>
 std::vector<oracle> exact_crossings(const surface_of_revolution<T>& s, const ray<T>& r) {
     std::vector<oracle> all;

@@ -6,7 +6,7 @@
 #include "support/probe.hpp"
 
 /// \file
-/// The comparison with the oracle: the same rays in 50 digits.
+/// The comparison with the oracle: the same rays in 75 digits.
 
 namespace raio::test {
 
@@ -30,10 +30,10 @@ std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<number_t<Sh
     }
 }
 
-/// The crossings in 50 digits. Where a ray meets the very edge of a closed shape, 50 digits decide no better than any
-/// others, and say that they are not certain: it is crossed, then, if it is as soon as it is larger by 1e-40. That
-/// moves a tangent's t by up to the root of it, which `error` says; of all others it is what 50 digits leave open,
-/// which matters where t is 0.
+/// The crossings in 75 digits. Where a ray meets the very edge of a closed shape, 75 digits decide no better than any
+/// others, and say that they are not certain: it is crossed, then, if it is as soon as it is larger by 1e-40 or less.
+/// That moves a tangent's t by up to the root of it, so rims are farther out by that. `error` says how far t may be
+/// off; of all others it is what 75 digits leave open, which matters where t is 0.
 template <class Shape>
 std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
     const auto exact_shape = converted<oracle>(shape);
@@ -112,7 +112,7 @@ std::string difference(const probe<Shape>& p, const hit_record<number_t<Shape>>&
 }
 
 /// What is wrong with the answer to one probe: `hit` has to find the first crossing whose t, correctly rounded, lies in
-/// the window. One of which 50 digits cannot say whether it does may be that, or not.
+/// the window. One of which 75 digits cannot say whether it does may be that, or not.
 template <class Shape>
 std::string inexactness(const probe<Shape>& p, double& worst_ulp) {
     using T = number_t<Shape>;

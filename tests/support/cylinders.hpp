@@ -49,10 +49,10 @@ struct cylinder_subject {
         return {length(cross(from_base, axis)) / size - s.radius, max(oracle(-height), oracle(height - size))};
     }
     static auto grown(auto s) {
-        const vec3<oracle> more = (s.top - s.base) * oracle(1e-40);
+        const vec3<oracle> more = (s.top - s.base) * oracle(1e-21);
         s.base -= more;
         s.top += more;
-        s.radius *= 1 + oracle(1e-40);
+        s.radius *= 1 + oracle(1e-50);
         return s;
     }
 };

@@ -41,6 +41,10 @@ struct subject<ellipsoid<T>> {
         const oracle off = dot(unit, unit) - 1;
         return off / (2 * length(vec3<oracle>(unit / s.radii)));
     }
+    static ellipsoid<oracle> grown(ellipsoid<oracle> s) {
+        s.radii *= 1 + oracle(1e-50);
+        return s;
+    }
 };
 
 }  // namespace raio::test

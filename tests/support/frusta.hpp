@@ -49,9 +49,9 @@ struct frustum_subject : revolved_subject<Frustum, frustum_profile> {
     /// Longer along its generators, and by less than that wider: what meets a rim meets the side then. Only an apex
     /// stays one.
     static auto grown(auto s) {
-        const oracle low = s.base_radius, high = s.top_radius, widening = high - low, wider = max(low, high) * 3e-40;
+        const oracle low = s.base_radius, high = s.top_radius, widening = high - low, wider = max(low, high) * 3e-50;
         const vec3<oracle> axis = s.top - s.base;
-        const oracle down(low > 0 ? 1e-37 : 1e-40), up(high > 0 ? 1e-37 : 1e-40);
+        const oracle down(low > 0 ? 1e-21 : 1e-50), up(high > 0 ? 1e-21 : 1e-50);
         s.base -= axis * down;
         s.top += axis * up;
         if (low > 0) s.base_radius += wider - widening * down;

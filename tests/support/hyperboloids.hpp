@@ -80,7 +80,7 @@ struct hyperboloid_subject : revolved_subject<Hyperboloid, hyperboloid_profile> 
     }
     /// Longer along its profile, and by less than that wider: what meets a rim meets the side then.
     static auto grown(auto s) {
-        const oracle more(1e-37), longer2 = (1 + 2 * more) * (1 + 2 * more), wider = 1 + oracle(4e-40);
+        const oracle more(1e-21), longer2 = (1 + 2 * more) * (1 + 2 * more), wider = 1 + oracle(4e-50);
         const auto [constant, square] = equation<oracle>(s);
         const vec3<oracle> axis = s.top - s.base;
         s.base -= axis * more;

@@ -7,7 +7,7 @@
 namespace raio::test {
 
 namespace mp = boost::multiprecision;
-using number = mp::number<mp::mpfr_float_backend<50, mp::allocate_stack>, mp::et_off>;
+using number = mp::number<mp::mpfr_float_backend<75, mp::allocate_stack>, mp::et_off>;
 using limits = std::numeric_limits<number>;
 
 static_assert(limits::digits == std::numeric_limits<oracle>::digits);

@@ -9,12 +9,12 @@
 #include <raio/math/double_double.hpp>
 
 /// \file
-/// A number of 50 digits, in which a shape is its own oracle: floats and doubles go in without any error, and what
+/// A number of 75 digits, in which a shape is its own oracle: floats and doubles go in without any error, and what
 /// comes out is right far beyond their last bit.
 
 namespace raio::test {
 
-/// Boost.Multiprecision's number of 50 digits, on MPFR, which takes half of the time of cpp_bin_float<50>. What it
+/// Boost.Multiprecision's number of 75 digits, on MPFR, which takes half of the time of Boost's own. What it
 /// computes with stands in oracle.cpp, or every shape of every test would compile all of it again.
 class oracle {
 public:
@@ -91,7 +91,7 @@ class std::numeric_limits<raio::test::oracle> : public std::numeric_limits<doubl
     using oracle = raio::test::oracle;
 
 public:
-    static constexpr int digits = 168, max_exponent = 1073741823, min_exponent = -1073741823;
+    static constexpr int digits = 251, max_exponent = 1073741823, min_exponent = -1073741823;
 
     static oracle infinity() { return oracle(std::numeric_limits<double>::infinity()); }
     static oracle quiet_NaN() { return oracle(std::numeric_limits<double>::quiet_NaN()); }

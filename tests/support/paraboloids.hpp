@@ -36,10 +36,11 @@ struct paraboloid_subject : revolved_subject<Paraboloid, paraboloid_profile> {
         return {(at.rho * at.rho - r2 * at.height) / gradient, at.beyond_caps()};
     }
     static auto grown(auto s) {
-        const vec3<oracle> more = (s.top - s.vertex) * oracle(1e-40);
-        s.vertex -= more;
-        s.top += more;
-        s.radius *= 1 + oracle(1e-40);
+        const oracle more(1e-21), wider = 1 + oracle(1e-50);
+        const vec3<oracle> axis = s.top - s.vertex;
+        s.vertex -= axis * oracle(1e-50);
+        s.top += axis * more;
+        s.radius *= sqrt(oracle(1 + more)) * wider;
         return s;
     }
 };

@@ -115,6 +115,10 @@ std::string direction_not_scaled(const probe<Shape>& p) {
         ray<T> ray = p.ray;
         for_each_number(ray.direction, [&](T& x) { x = scaled(x, exponent); });
         const bool scaled_hit = p.shape.hit(ray, T(0), infinity<T>, scaled_rec);
+        if (hit && rec.t == T(0) && !scaled_hit) {  // it may have been below zero, and out of range
+            const T least = std::ldexp(T(least_normal<T>), std::max(-exponent, 0));
+            if (p.shape.hit(ray, -least, T(0), scaled_rec)) continue;
+        }
         const T t = hit ? scaled(rec.t, -exponent) : T(0), t_back = scaled_hit ? scaled(scaled_rec.t, exponent) : T(0);
         in_range =
             in_range && (!scaled_hit || scaled_rec.t != 0 || (hit && t == 0));  // no t too small to be told from 0
@@ -211,10 +215,19 @@ bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec)
     // obtuse, another face is nearer than that; the 100th is for distances that are so to first order only.
     const oracle depth = 4 * oracle(norm1(rec.error)) + 8 * unit_roundoff<number_t<Shape>> * oracle(norm1(rec.point));
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
+    const auto distance = [&](const vec3<oracle>& p) { return oracle(about::distance(exact_shape, p)); };
+    // Of a thin rim, what is as deep may be outside half as far to a side.
+    const auto is_clear = [&](const vec3<oracle>& p, int side) {
+        bool clear = side * distance(p) > depth * 0.99;
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            vec3<oracle> beside(0);
+            beside[axis] = depth / 2;
+            clear = clear && side * distance(p + beside) > depth * 0.49 && side * distance(p - beside) > depth * 0.49;
+        }
+        return clear;
+    };
     const auto point = converted<oracle>(rec.point);
-    const oracle within = about::distance(exact_shape, point + inwards * depth);
-    const oracle without = about::distance(exact_shape, point - inwards * depth);
-    return (solid<Shape> ? oracle(-within) : within) > depth * 0.99 && without > depth * 0.99;
+    return is_clear(point + inwards * depth, solid<Shape> ? -1 : 1) && is_clear(point - inwards * depth, 1);
 }
 
 /// A ray that was spawned on the surface never hits it again where it left: outwards it misses a convex solid, inwards

@@ -40,7 +40,7 @@ struct subject<quadric<T, Closed>> : boxed_subject<quadric<T, Closed>> {
         const oracle more = norm1(size) * oracle(1e-21), far = norm1(s.min) + norm1(s.max);
         s.min -= vec3<oracle>(more), s.max += vec3<oracle>(more);
         const oracle terms = (norm1(s.squares) + norm1(s.products)) * far * far + norm1(s.linear) * far;
-        s.constant -= (terms + abs(s.constant)) * oracle(1e-44);
+        s.constant -= (terms + abs(s.constant)) * oracle(1e-55);
         return s;
     }
 };

@@ -118,7 +118,7 @@ auto converted(const Shape<T, Options...>& shape) {
     return std::apply([](const auto&... field) { return Shape<U, Options...>{converted<U>(field)...}; },
                       subject<Shape<T, Options...>>::fields(shape));
 }
-/// The same triangle; that 50 digits round as well does not matter where nothing is divided.
+/// The same triangle; that 75 digits round as well does not matter where nothing is divided.
 template <std::same_as<oracle> U, real T>
 triangle<U> converted(const watertight_triangle<T>& s) {
     return {vec3<U>(s.a), vec3<U>(s.b), vec3<U>(s.c)};

@@ -176,7 +176,11 @@ struct bezier_curve {
         const T size = norm1(vec3<T>(box.max - box.min));
         record_gradient(ray, c, from_center, size, rec);
         keep_in_bounds<W>(rec, [this] { return bounds(); });
-        rec.error += vec3<T>(T(0x1p-60) * size);  // from where on s is certain, of a curve of 2^-30 of its length
+        // From where on s is certain, of a curve of 2^-30 of its length; or as far as a tangent may be off, at which
+        // such an s has no certain root.
+        T apart = T(0x1p-60) * size;
+        if constexpr (last_precision<W>) apart = max(apart, norm1(vec3<T>(ray.direction)) * T(c.error));
+        rec.error += vec3<T>(apart);
 
         vec3<Q> onwards(scaled_into_range<Q>(vec3<Q>(ahead))), outward(from_center);
         const bool still = !(norm1(onwards) > Q(0));

@@ -197,8 +197,11 @@ private:
             E error = v_error * abs(dot(vec3<E>(d), vec3<E>(along))) + d_size * (start_error + along_error) +
                       E(8 * roundoff) * d_size * (corner_size + u_size + reach_size);
             const std::size_t next = list.count;
+            const E at_u_error = v_error * norm1(vec3<E>(twist)) + E(16 * roundoff) * (u_size + reach_size);
             list.append(t, error * over_d2,
-                        root.before * root.after > 0 ? along_ray(root, n, vec3<W>(edge_u + twist * v), along) : root);
+                        root.before * root.after > 0
+                            ? along_ray(root, n, {vec3<W>(edge_u + twist * v), at_u_error}, {along, along_error})
+                            : root);
             for (std::size_t i = next; i < list.count; ++i) list.crossings[i].u = root.t, list.crossings[i].v = v;
         }
         sort_by_t(list);
@@ -230,11 +233,14 @@ private:
     }
 
     /// A root that is touched, with the signs of f in the order in which the ray comes by: d = (du's part) du + ...,
-    /// and that part has the sign of (d x w).(du x w).
+    /// and that part has the sign of (d x w).(du x w). On the fold of a planar patch du x w is zero, and u's order stays.
     template <class W>
-    RAIO_FN static constexpr polynomial_root<W> along_ray(polynomial_root<W> root, const vec3<W>& n, const vec3<W>& du,
-                                                          const vec3<W>& dv) {
-        if (dot(n, cross(du, dv)) > W(0)) root.before = -root.before, root.after = -root.after;
+    RAIO_FN static constexpr polynomial_root<W> along_ray(polynomial_root<W> root, const vec3<W>& n,
+                                                          const nearby_point<W>& du, const nearby_point<W>& w) {
+        using E = bound_t<W>;
+        vec3<W> turn = cross(du.place, w.place);
+        E error = norm1(vec3<E>(du.place)) * w.error + (norm1(vec3<E>(w.place)) + w.error) * du.error;
+        if (dot(n, turn) > W(error * norm1(vec3<E>(n)))) root.before = -root.before, root.after = -root.after;
         return root;
     }
 

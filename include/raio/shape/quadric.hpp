@@ -97,7 +97,7 @@ struct quadric {
         box<T>{min, max}.put_on_face(ray, on_face, of_box);
         // The point is on the face without any error; but what leaves it has to be certain in double_double that it is
         // not on f, for which `record_point` asks as much.
-        of_box.error += vec3<T>(size * T(0x1p-88));
+        of_box.error += vec3<T>(size * T(0x1p-72));
         assign(on_box, rec, of_box);
     }
 
