@@ -58,7 +58,7 @@ private:
         W x, value, slope;
     };
 
-    RAIO_FN constexpr place place_at(const W& x) const {
+    [[gnu::always_inline]] RAIO_FN constexpr place place_at(const W& x) const {
         W square = x * x, leading = c4_ * square;
         return {x, ((leading + c2_) * square + c0_) + c1_ * x, W(2) * ((leading + leading) + c2_) * x + c1_};
     }

@@ -24,9 +24,10 @@ template <real W>
 struct wanted_roots {
     using E = bound_t<W>;
 
-    E before = -infinity<E>;  ///< what is before this need not be found,
-    E from = infinity<E>;     ///< nor what comes after the first root beyond this,
-    E to = -infinity<E>;      ///< and of that no more than where it is enclosed, if that ends before this
+    E before = -infinity<E>;            ///< what is before this need not be found,
+    E from = infinity<E>;               ///< nor what comes after the first root beyond this,
+    E to = -infinity<E>;                ///< and of that no more than where it is enclosed, if that ends before this
+    E last_step{detail::last_step<W>};  ///< a step as short as that, relative to the root, is enough
 };
 
 namespace detail {
@@ -49,7 +50,7 @@ template <real W, std::size_t N>
                                                                          const wanted_roots<W>& wanted = {}) {
     using E = bound_t<W>;
     const detail::root_finder<W, N> finder(p, low, high);
-    E exact = sqrt(E(16 * unit_roundoff<W>)), coarse(0x1p-7);
+    E exact = wanted.last_step, coarse(0x1p-7);
     polynomial_roots<W, N> found{.certain = false};
     if (!finder.is_sound()) return found;
     const auto is_there = [&](const detail::enclosure<W>& about) {

@@ -35,6 +35,21 @@ struct enclosure {
     bool is_one;        ///< is there one simple root for certain?
 };
 
+/// How much of a step of Halley's method it may have missed the root by, if that is no longer than `tolerance` of t: as
+/// much of it as the square of that, or a few roundings of the slope.
+template <real E>
+RAIO_FN constexpr E left_of_step(const E& tolerance) {
+    return max(tolerance * tolerance, E(4 * unit_roundoff<E>));
+}
+
+/// The last step after which t is known to some 32 roundings of W.
+template <real W>
+inline constexpr double last_step = [] {
+    double step = 1;
+    while (step * left_of_step<double>(step) > 32 * unit_roundoff<W>) step /= 2;
+    return step;
+}();
+
 /// Finds the roots of one polynomial in [low, high].
 template <real W, std::size_t N>
 class root_finder {
@@ -53,7 +68,7 @@ public:
     /// Calls `take` with one enclosure after the other, in order, and with a function that finds the root in there, as
     /// long as it answers true; answers whether it did to the end.
     ///
-    /// \param tolerance  of the last step, relative to t: its square is left, or less
+    /// \param tolerance  of the last step, relative to t
     /// \param between    the same for the roots of the derivatives, which need only be told from those of the
     /// polynomial
     /// \tparam Turns  are the roots another polynomial's turns, of which also `height` is needed?
@@ -228,7 +243,7 @@ private:
         }
 
         // The root lies where the sign changes beyond doubt.
-        E reach = quotient(E(4) * noise_at(t), abs(slope), step) + step * tolerance + resolution(t);
+        E reach = quotient(E(4) * noise_at(t), abs(slope), step) + step * left_of_step(tolerance) + resolution(t);
         for (;;) {
             W left = max(from.t, t - W(reach)), right = min(to.t, t + W(reach)), at_left = p_(left),
               at_right = p_(right);

@@ -147,16 +147,16 @@ struct torus {
         vec3<W> from_center = seen_from(center, ray, c.t);
         const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
         vec3<Q> p = f.to_local(vec3<Q>(from_center));
-        Q rho = sqrt(p.x * p.x + p.y * p.y), inside = Q(1) - quotient(Q(major_radius), rho, Q(0));
+        Q rho = sqrt(p.x * p.x + p.y * p.y), beyond = rho - Q(major_radius);
         // Where the tube meets itself on the axis, or as close to it as can be told, it is seen along the axis, against
         // the ray.
-        vec3<Q> from_circle(p.x * inside, p.y * inside, p.z);
+        vec3<Q> from_circle(p.x * beyond, p.y * beyond, p.z * rho);  // times rho
         const bool nowhere = rho <= Q(c.error) * norm1(vec3<Q>(ray.direction));
         const Q along = copysign(Q(1), dot(f.z, vec3<Q>(vec3<W>(ray.direction)))), up = c.entering ? -along : along;
         vec3<N> outward(f.to_world(nowhere ? vec3<Q>(Q(0), Q(0), up) : normalize_from<T>(from_circle)));
         record_point(ray, c, rec, major_radius + minor_radius);
         rec.normal = outward * select(c.entering, N(1), N(-1));
-        rec.uv = {turns(T(p.y), T(p.x)), turns(T(p.z), T(rho - Q(major_radius)))};
+        rec.uv = {turns(T(p.y), T(p.x)), turns(T(p.z), T(beyond))};
     }
 
 private:
