@@ -49,7 +49,7 @@ template <real T, real N, real R, class W>
 RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec, T bend = T(0)) {
     rec.t = T(c.t) + T(0);  // never -0
     rec.point = vec3<T>(sum_as<W>(ray.origin, product_as<W>(ray.direction, c.t)));
-    if constexpr (last_precision<W>) {  // bounds without a thickness, as those of a single point, expect no rounding of 0
+    if constexpr (last_precision<W>) {  // bounds without a thickness, as a single point's, expect no rounding of 0
         const vec3<T> rounding = abs(vec3<T>(ray.origin)) * T(8 * unit_roundoff<W>);
         const auto not_0 = [](const T& p, const T& off) { return select(abs(p) <= off, T(0), p); };
         rec.point = {not_0(rec.point.x, rounding.x), not_0(rec.point.y, rounding.y), not_0(rec.point.z, rounding.z)};
