@@ -197,6 +197,28 @@ TEST_CASE_TEMPLATE("bilinear_patch: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE_TEMPLATE("bilinear_patch: on the fold of a planar one the side with the lesser u comes first", T,
+                   RAIO_NUMBERS) {
+    random_numbers random(15);
+    const auto whole = [&] { return T(random.integer(-9, 9)); };
+    const auto lattice_point = [&] { return vec3<T>(whole(), whole(), whole()); };
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const vec3<T> from = lattice_point(), both = lattice_point(), to = lattice_point(), origin = lattice_point();
+        const bool early = random.one_in(2);  // through u = v = 1/3, or 2/3, at t = 1/9
+        const vec3<T> on_fold = (early ? from : to) * T(4) + both * T(4) + (early ? to : from);
+        const ray<T> ray{origin, on_fold - origin * T(9)};
+        const T leaving = dot(ray.direction, cross(to - from, both - from));
+        if (leaving == T(0)) continue;
+        hit_record<T> rec;
+        REQUIRE(bilinear_patch<T>{from, both, both, to}.hit(ray, T(0), infinity<T>, rec));
+        CHECK(rec.t == T(1) / T(9));
+        CHECK(rec.front_face == (leaving < T(0)));
+        ++hits;
+    }
+    CHECK(hits > 900);
+}
+
 TEST_CASE_TEMPLATE("bilinear_patch: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<bilinear_patch<T>>();
 }
