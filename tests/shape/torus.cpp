@@ -139,6 +139,26 @@ TEST_CASE_TEMPLATE("torus: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE_TEMPLATE("torus: through the axis from one side of a spindle into the other", T, RAIO_NUMBERS) {
+    const torus<T> spindle{{0, 0, 0}, {0, 0, 1}, 4, 5};
+    const auto check = [&](const ray<T>& r, T begin, T end) {
+        std::size_t count = 0;
+        for (const interval<T>& span : spindle.spans(r)) {
+            CHECK(span.min == begin);
+            CHECK(span.max == end);
+            ++count;
+        }
+        CHECK(count == 1);
+        // It touches the surface on the axis, from within.
+        hit_record<T> rec;
+        CHECK(spindle.hit(r, T(5), infinity<T>, rec));
+        CHECK(rec.t == T(6));
+        CHECK(!rec.front_face);
+    };
+    check({{-18, 0, -3}, {3, 0, 1}}, T(3), T(7.8));
+    check({{18, 0, 9}, {-3, 0, -1}}, T(4.2), T(9));
+}
+
 TEST_CASE_TEMPLATE("torus: properties of every shape", T, RAIO_NUMBERS) { check_properties<torus<T>>(); }
 
 TEST_CASE_TEMPLATE("torus: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -106,6 +106,7 @@ struct torus {
         const auto roots =
             roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half, drift) : wanted_roots<W>{});
         list.certain = roots.certain;
+        bool inside = false;
         for (const polynomial_root<W>& root : roots) {
             W t = middle + half * root.t;
             E error = E(half) * root.error + drift + E(4 * u) * abs(E(t));
@@ -113,14 +114,19 @@ struct torus {
                 list.append(t, error, root);
                 continue;
             }
-            // On the surface that counts, `outer` is positive. At its two points on the axis it is zero, and the side
-            // that counts is the one farther away from the closest approach.
+            // On the surface that counts, `outer` is positive. At its two points on the axis it is zero, and two
+            // circles meet: a line goes from the one into the other, or by one root for both into what both enclose,
+            // where it is closest to the centre, or out of it.
             E outer(g + e2 * root.t * root.t), outer_error = slack + E(2) * root.error;
             const bool tip = abs(outer) <= outer_error, twice = root.before * root.after > 0;
-            const bool entering = root.before > 0;
+            const bool entering = root.before > 0, to_other = twice && !entering;
+            const auto append_if_it_counts = [&](bool enters) {
+                const bool leaves = inside && (to_other || E(root.t) >= -root.error);
+                if (tip ? (enters ? !inside : leaves) : outer > E(0)) list.append(t, error, enters), inside = enters;
+            };
             list.certain = list.certain && !tip;
-            if (tip ? counts_at_tip(root, entering) : outer > E(0)) list.append(t, error, entering);
-            if (twice && (tip ? counts_at_tip(root, !entering) : outer > E(0))) list.append(t, error, !entering);
+            append_if_it_counts(entering);
+            if (twice) append_if_it_counts(!entering);
         }
         if (list.touches_origin() && level(l) == W(0)) list.start_at_origin();
         return list;
@@ -160,13 +166,6 @@ struct torus {
     }
 
 private:
-    /// Does a root on the axis count, where the line enters or leaves what f says is inside?
-    template <class W>
-    RAIO_FN static constexpr bool counts_at_tip(const polynomial_root<W>& root, bool entering) {
-        const bound_t<W> x(root.t);
-        return entering ? x <= root.error : x >= -root.error;
-    }
-
     /// f, times A.A, at the point p as seen from the centre, or at -p.
     template <class W>
     RAIO_FN constexpr W level(const vec3<W>& p) const {
