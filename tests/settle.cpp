@@ -105,10 +105,13 @@ struct told_what_is_missing : told<double> {
 
 }  // namespace
 
-// A quicker precision than the last is tried where there is one, and where it holds the numbers of the ray.
-static_assert(detail::works_first<float, float> && detail::works_first<float, double>);
-static_assert(detail::works_first<double, double> && !detail::works_first<double, double_double>);
-static_assert(!detail::works_first<double_double, double_double>);
+// A quicker precision than the last is tried where there is one: one that knows if the ray's numbers are rounded to it.
+static_assert(detail::works_first<float> && detail::works_first<double> && !detail::works_first<double_double>);
+static_assert(std::same_as<detail::quick_t<float, float>, strict_double>);
+static_assert(std::same_as<detail::quick_t<float, strict_double>, strict_double>);
+static_assert(std::same_as<detail::quick_t<double, double>, strict_double>);
+static_assert(std::same_as<detail::quick_t<double, double_double>, rounded_double>);
+static_assert(4 * unit_roundoff<strict_double> == unit_roundoff<rounded_double>);
 
 TEST_CASE_TEMPLATE("settle: what is certain to the last bit is the answer, and all else is asked again", T, float,
                    double) {

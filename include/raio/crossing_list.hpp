@@ -144,7 +144,8 @@ requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(cons
         }
         return inside;
     };
-    if constexpr (detail::works_first<T, R>) {
+    if constexpr (detail::works_first<T>) {
+        using W = detail::quick_t<T, R>;
         using X = exact_t<T>;
         const auto all_round_to_one = []<class W, std::size_t N>(const crossing_list<W, N>& list) {
             bool settled = list.certain;
@@ -157,9 +158,9 @@ requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(cons
             return fine;
         };
         detail::keep_as_stored<T>(shape, ray);
-        const auto quick = listed(shape.template crossings<working_t<T>>(ray));
+        const auto quick = listed(shape.template crossings<W>(ray));
         if (all_round_to_one(quick)) return between_crossings(quick);
-        if constexpr (detail::correctable<Shape, X, working_t<T>>) {
+        if constexpr (detail::correctable<Shape, X, W>) {
             if (quick.certain) {
                 const auto fine = all_refined(quick);
                 if (all_round_to_one(fine)) return between_crossings(fine);

@@ -50,7 +50,7 @@ template <class W, real R, class Inside, class Wanted = every_crossing>
 RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3<W>& e1, const vec3<W>& e2,
                                                const ray<R>& ray, Inside inside, const Wanted& wanted = {}) {
     using E = bound_t<W>;
-    vec3<W> direction(ray.direction), s = vec3<W>(ray.origin) - corner;
+    vec3<W> direction(ray.direction), s = difference_as<W>(ray.origin, corner);
     vec3<W> p = cross(direction, e2), q = cross(s, e1);
     W det = dot(e1, p), size = abs(det);
     W u = flip(dot(s, p), det), v = flip(dot(direction, q), det), way = flip(dot(e2, q), det);

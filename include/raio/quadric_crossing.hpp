@@ -241,7 +241,7 @@ RAIO_FN constexpr crossing<W> correct_quadric(const revolved_quadric<X>& s, cons
 
     // All along the step the level's gradient is at most `steep`, and that of the slope `curved` |d|.
     E area(axis2), size = norm1(vec3<E>(p)), speed = norm1(vec3<E>(d)), far = size + speed * c.error;
-    E curved = E(2) * area * (v * area + abs(E(c2))), of_c1 = area * abs(E(c1)) * norm1(vec3<E>(axis));
+    E curved = E(2) * area * (E(v) * area + abs(E(c2))), of_c1 = area * abs(E(c1)) * norm1(vec3<E>(axis));
     E steep = curved * far + of_c1, terms = steep * size + area * area * abs(E(c0));
     E value_error = steep * at.error + E(64 * unit_roundoff<X>) * terms;
     E slope_error = curved * speed * speed * c.error + E(64 * unit_roundoff<W>) * steep * speed;

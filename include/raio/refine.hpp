@@ -21,7 +21,7 @@ struct nearby_point {
 /// A ray that has gone a step, in the precision of X, to a point close to its crossing.
 template <class X, class W>
 struct nearby_ray {
-    vec3<W> origin;
+    vec3<exact_t<W>> origin;
     vec3<X> step;
     vec3<W> direction;
 
@@ -48,22 +48,40 @@ RAIO_FN constexpr crossing<W> newton_step(const X& value, const bound_t<X>& valu
 /// near a tangent it may leave as much as decides their last bits. (2^-72 of a place is 2^-19 of the last bit of a
 /// double.)
 template <class X, class W>
-RAIO_FN constexpr crossing<W> if_to_all_digits(crossing<W> missing, const nearby_ray<X, W>& ray) {
+RAIO_FN constexpr crossing<W> if_to_all_digits(crossing<W> missing, const nearby_ray<X, W>& ray,
+                                               double part = 0x1p-72) {
     using E = bound_t<X>;
     E place = norm1(vec3<E>(ray.origin)) + norm1(vec3<E>(ray.step)),
       off = norm1(vec3<E>(ray.direction)) * missing.error;
-    missing.certain = every(missing.certain, off <= E(0x1p-72) * place);
+    missing.certain = every(missing.certain, off <= E(part) * place);
     return missing;
 }
 
 /// The same crossing in the precision of X. The shape's `correction(nearby, c)` is that crossing as the ray from c.t on
 /// meets it, in the precision of W.
 template <class X, class Shape, real R, class W>
-RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, const crossing<W>& c) {
+RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, crossing<W> c) {
     using E = bound_t<X>;
-    nearby_ray<X, W> nearby{vec3<W>(ray.origin), product_as<X>(ray.direction, c.t), vec3<W>(ray.direction)};
+    const auto gone = [&](const auto& t) {
+        return nearby_ray<X, W>{vec3<exact_t<W>>(ray.origin), product_as<X>(ray.direction, t), vec3<W>(ray.direction)};
+    };
+    nearby_ray<X, W> nearby = gone(c.t);
     crossing<W> missing = shape.correction(nearby, c);
     X t = sum_as<X>(c.t, missing.t);
+    if constexpr (!std::same_as<exact_t<W>, W>) {
+        // What a ray of more digits meets is mapped on, as unevenly as may be: a millionth of the normal may become all
+        // of it. Where one step has left too much for that, a second one follows.
+        constexpr double part = 0x1p-88;
+        crossing<W> close = if_to_all_digits(missing, nearby, part);
+        if (missing.certain && !close.certain) {
+            c.t = W(t), c.u = c.u + missing.u, c.v = c.v + missing.v;
+            c.error = missing.error + E(4 * unit_roundoff<X>) * abs(E(t));
+            nearby = gone(t);
+            missing = shape.correction(nearby, c);
+            t = t + X(missing.t), close = if_to_all_digits(missing, nearby, part);
+        }
+        missing = close;
+    }
     E error = missing.error + E(4 * unit_roundoff<X>) * abs(E(t));
     // What cannot be told from a number of W is that number: simple rays meet simple shapes at simple points.
     W simple(t);

@@ -13,16 +13,20 @@
 /// (refine.hpp). If that does not settle it, or a decision is open, the formula is evaluated again in double_double. So
 /// t is the exact crossing, correctly rounded, and a ray that just misses misses (Ziv, ACM TOMS 17(3), 1991, rounds
 /// elementary functions like this; Shewchuk, 1997, the signs of determinants). A few rays of a thousand need the
-/// closer look in float. In double misses and `occluded` cost what they cost in float.
+/// closer look in float. In double misses and `occluded` cost what they cost in float. The first try with a ray of more
+/// digits, one that was mapped, is in rounded_double.
 
 namespace raio {
 
 namespace detail {
 
-/// Is there a quicker precision, and does it hold the numbers of the ray without rounding them?
+/// Is there a quicker precision?
+template <real T>
+inline constexpr bool works_first = !std::same_as<working_t<T>, exact_t<T>>;
+
+/// The quicker precision, for shapes of T and rays of R, whose numbers it may have to round.
 template <real T, real R>
-inline constexpr bool works_first =
-    !std::same_as<working_t<T>, exact_t<T>> && unit_roundoff<working_t<T>> <= unit_roundoff<R>;
+using quick_t = std::conditional_t<unit_roundoff<working_t<T>> <= unit_roundoff<R>, working_t<T>, rounded_double>;
 
 /// The same question, if the quick crossing has not answered it: what is missing of that is added, or the exact formula
 /// decides. Out of line, and without what is known already: where this is rare, it must not cost the common case its
@@ -30,9 +34,9 @@ inline constexpr bool works_first =
 template <real T, class Shape, real R, class Then>
 [[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
                                                             Then then) {
-    using W = working_t<T>;
+    using W = quick_t<T, R>;
     using X = exact_t<T>;
-    if constexpr (works_first<T, R>) {
+    if constexpr (works_first<T>) {
         auto [quick, known] = settled_in_window<question::whether>(
             crossings_for<W, question::where>(shape, ray, t_min, t_max), t_min, t_max);
         if constexpr (correctable<Shape, X, W>) {
@@ -54,9 +58,9 @@ template <real T, class Shape, real R, class Then>
 /// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
 template <question Asked, real T, class Shape, real R, class Then>
 RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
-    if constexpr (works_first<T, R>) {
+    if constexpr (works_first<T>) {
         keep_as_stored<T>(shape, ray);
-        auto quick = crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max);
+        auto quick = crossings_for<quick_t<T, R>, Asked>(shape, ray, t_min, t_max);
         if constexpr (Asked != question::whether && always_refined<Shape, T>) {
             auto [first, known] = settled_in_window<question::whether>(quick, t_min, t_max);
             if (known && !first.exists) return false;
@@ -103,9 +107,9 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
         const mask_t<T> meets = some(c.near.exists, c.far.exists);  // an end out of T's range is still an end
         return interval<T>{select(meets, T(c.near.t), infinity<T>), select(meets, T(c.far.t), -infinity<T>)};
     };
-    if constexpr (detail::works_first<T, R>) {
+    if constexpr (detail::works_first<T>) {
         detail::keep_as_stored<T>(shape, ray);
-        auto quick = shape.template crossings<working_t<T>>(ray);
+        auto quick = shape.template crossings<detail::quick_t<T, R>>(ray);
         const bool meets = some(quick.near.exists, quick.far.exists);
         const auto settled = [](const auto& c) { return c.certain && detail::rounds_to_one<T>(c); };
         if (!meets) {

@@ -148,7 +148,7 @@ RAIO_FN constexpr crossing<W> correct_sphere(const nearby_point<X>& at, const ve
     using E = bound_t<X>;
     vec3<W> p(at.place);
     E size = norm1(vec3<E>(p)) + E(radius), error = E(2) * at.error + E(16 * unit_roundoff<X>) * size;
-    E slope_error = E(2) * dot(d, d) * c.error + E(16 * unit_roundoff<W>) * size * norm1(vec3<E>(d));
+    E slope_error = E(2) * E(dot(d, d)) * c.error + E(16 * unit_roundoff<W>) * size * norm1(vec3<E>(d));
     return newton_step(dot(at.place, at.place) - radius * radius, size * error, W(2) * dot(p, d), slope_error);
 }
 

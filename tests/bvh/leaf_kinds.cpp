@@ -54,14 +54,18 @@ TEST_CASE_TEMPLATE("leaf_kinds: packs say what they find in the leaves that have
     static_assert(two_kinds<T>::template filters<0, T> && !two_kinds<T>::template filters<1, T>);
 }
 
-TEST_CASE_TEMPLATE("leaf_kinds: packs know of rays with the digits of a double, and what others come near", T,
+TEST_CASE_TEMPLATE("leaf_kinds: packs know of rays with the digits of a double, and of those with more", T,
                    RAIO_NUMBERS) {
     const two_kinds<T> leaves = some_leaves<T>();
     const auto along = []<class R>(R) { return ray<R>{{R(0), R(0), R(0)}, {R(0), R(0), R(-2)}}; };
-    const auto spheres = leaves.template find<0>(0, along(strict_double(0)), T(0), T(3));
-    CHECK((spheres.sure == 1 && spheres.open == 0));
-    const auto unknown = leaves.template find<0>(0, along(double_double(0)), T(0), T(3));
-    CHECK((unknown.sure == 0 && unknown.open == 1));
+    const auto check = [&](const auto& ray) {
+        const auto spheres = leaves.template find<0>(0, ray, T(0), T(3));
+        CHECK((spheres.sure == 1 && spheres.open == 0));
+        const auto solids = leaves.template find<1>(0, ray, T(0), T(3));
+        CHECK((solids.sure == 0 && solids.open == 1));
+    };
+    check(along(strict_double(0)));
+    check(along(double_double(0)));
 }
 
 TEST_CASE("leaf_kinds: the number of a kind becomes a constant, and of what is done with it comes the answer") {

@@ -99,11 +99,6 @@ struct listener {
     }
 };
 
-template <class W>
-vec3<oracle> exactly(const vec3<W>& v) {
-    return {exactly(v.x), exactly(v.y), exactly(v.z)};
-}
-
 /// As check_cases, but for the oracle, which knows no map.
 template <class P>
 void check_image_cases(const std::vector<named_case<posed<P>>>& cases) {

@@ -12,8 +12,8 @@ namespace raio::test {
 
 /// The crossings as `crossings<W>` finds them: both of a convex solid, the one of a flat shape, or a list. A list that
 /// is not certain holds nothing that is.
-template <class W, class Shape>
-std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
+template <class W, class Shape, class R = number_t<Shape>>
+std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<R>& ray) {
     const auto found = shape.template crossings<W>(ray);
     if constexpr (requires { found.near; }) {
         return {found.near, found.far};
@@ -34,10 +34,10 @@ std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<number_t<Sh
 /// others, and say that they are not certain: it is crossed, then, if it is as soon as it is larger by 1e-40 or less.
 /// That moves a tangent's t by up to the root of it, so rims are farther out by that. `error` says how far t may be
 /// off; of all others it is what 75 digits leave open, which matters where t is 0.
-template <class Shape>
-std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<number_t<Shape>>& ray) {
+template <class Shape, class R>
+std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<R>& ray) {
     const auto exact_shape = converted<oracle>(shape);
-    const auto exact_ray = converted<oracle>(ray);
+    const raio::ray<oracle> exact_ray{exactly(ray.origin), exactly(ray.direction)};
     std::vector crossings = all_crossings<oracle>(exact_shape, exact_ray);
     oracle shape_size = 0;
     if constexpr (bounded<Shape>) {
@@ -173,10 +173,10 @@ void check_accuracy(int rays, double excusable = 1e-3) {
 
 /// In the precision of W: wherever a crossing is certain it exists if and only if the exact one does, and its t is off
 /// by no more than the error that it states.
-template <class W, class Shape>
-std::string wrong_bound(const probe<Shape>& p) {
-    const std::vector exact = exact_crossings(p.shape, p.ray);
-    const std::vector found = all_crossings<W>(p.shape, p.ray);
+template <class W, class Shape, class R>
+std::string wrong_bound(const Shape& shape, const ray<R>& ray) {
+    const std::vector exact = exact_crossings(shape, ray);
+    const std::vector found = all_crossings<W>(shape, ray);
     const bool certain = std::all_of(found.begin(), found.end(), [](const crossing<W>& c) { return c.certain; });
     if (found.size() != exact.size()) return certain ? "certain of a wrong number of crossings" : "";
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -191,14 +191,15 @@ std::string wrong_bound(const probe<Shape>& p) {
     return "";
 }
 
-/// Wherever a crossing is certain in strict_double, the refined one is off by no more than the error that it states.
-template <class Shape>
-std::string wrong_refinement(const probe<Shape>& p, int& refinements, int& open) {
-    const std::vector exact = exact_crossings(p.shape, p.ray);
-    const std::vector found = all_crossings<strict_double>(p.shape, p.ray);
+/// Wherever a crossing is certain in the precision of W, the refined one is off by no more than the error that it
+/// states.
+template <class W, class Shape, class R>
+std::string wrong_refinement(const Shape& shape, const ray<R>& ray, int& refinements, int& open) {
+    const std::vector exact = exact_crossings(shape, ray);
+    const std::vector found = all_crossings<W>(shape, ray);
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (!found[i].certain || !found[i].exists || found.size() != exact.size()) continue;
-        const crossing<double_double> fine = refined<double_double>(p.shape, p.ray, found[i]);
+        const crossing<double_double> fine = refined<double_double>(shape, ray, found[i]);
         ++refinements;
         if (!fine.certain || !detail::rounds_to_one<double>(fine)) ++open;
         if (!fine.certain) continue;
@@ -209,17 +210,43 @@ std::string wrong_refinement(const probe<Shape>& p, int& refinements, int& open)
     return "";
 }
 
+/// The same ray, with digits beyond those of a double in every other number, as one that was mapped has them.
+template <class T>
+ray<double_double> with_more_digits(const ray<T>& ray, random_numbers& random) {
+    const auto number = [&](T x) {
+        const double rest = random.one_in(2) ? random.uniform(-0x1p-54, 0x1p-54) : 0;
+        return double_double(x) + double_double(x) * double_double(rest);
+    };
+    const auto numbers = [&](const vec3<T>& v) {
+        const double_double x = number(v.x), y = number(v.y);
+        return vec3<double_double>(x, y, number(v.z));
+    };
+    const vec3<double_double> origin = numbers(ray.origin);
+    return {origin, numbers(ray.direction)};
+}
+
 /// \param may_stay_open  part of the refined crossings: most are of rays from the surface itself, whose t is all but 0
 template <class Shape>
 void check_bounds_of_errors(int rays, double may_stay_open = 0.3) {
-    for_random_probes<Shape>("bound in strict_double", rays,
-                             [](const auto& p, auto&) { return wrong_bound<strict_double>(p); });
-    for_random_probes<Shape>("bound in double_double", rays,
-                             [](const auto& p, auto&) { return wrong_bound<double_double>(p); });
+    const auto check_bounds = [&](const std::string& in, auto wrong) {
+        for_random_probes<Shape>("bound in " + in, rays,
+                                 [&](const auto& p, auto& random) { return wrong(p.shape, p.ray, random); });
+    };
+    check_bounds("strict_double",
+                 [](const Shape& shape, const auto& ray, auto&) { return wrong_bound<strict_double>(shape, ray); });
+    check_bounds("double_double",
+                 [](const Shape& shape, const auto& ray, auto&) { return wrong_bound<double_double>(shape, ray); });
+    check_bounds("rounded_double", [](const Shape& shape, const auto& ray, auto& random) {
+        return wrong_bound<rounded_double>(shape, with_more_digits(ray, random));
+    });
     if constexpr (detail::correctable<Shape, double_double, strict_double>) {
         int refinements = 0, open = 0;
-        for_random_probes<Shape>("bound of the refined", rays,
-                                 [&](const auto& p, auto&) { return wrong_refinement(p, refinements, open); });
+        check_bounds("what is refined", [&](const Shape& shape, const auto& ray, auto&) {
+            return wrong_refinement<strict_double>(shape, ray, refinements, open);
+        });
+        check_bounds("what is refined of rounded_double", [&](const Shape& shape, const auto& ray, auto& random) {
+            return wrong_refinement<rounded_double>(shape, with_more_digits(ray, random), refinements, open);
+        });
         MESSAGE(refinements << " crossings refined, left open to the last bit of a double: " << open);
         CHECK(open < with_chance(refinements * may_stay_open));
     }

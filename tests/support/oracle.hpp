@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include <raio/math/double_double.hpp>
+#include <raio/math/vec.hpp>
 
 /// \file
 /// A number of 75 digits, in which a shape is its own oracle: floats and doubles go in without any error, and what
@@ -69,13 +69,20 @@ T rounded(const oracle& x) {
 
 inline oracle exactly(double x) { return oracle(x); }
 inline oracle exactly(long double x) { return oracle(x); }
-inline oracle exactly(strict_double x) { return oracle(static_cast<double>(x)); }
+template <int Digits>
+oracle exactly(basic_strict_double<Digits> x) {
+    return oracle(static_cast<double>(x));
+}
 
 /// The double that it rounds to, and what is left.
 inline oracle exactly(double_double x) {
     const double high = static_cast<double>(x);
     if (!std::isfinite(high)) return oracle(high);
     return oracle(high) + oracle(static_cast<double>(x - double_double(high)));
+}
+template <class W>
+vec3<oracle> exactly(const vec3<W>& v) {
+    return {exactly(v.x), exactly(v.y), exactly(v.z)};
 }
 
 }  // namespace raio::test

@@ -49,9 +49,18 @@ struct findings {
     pack<T, N> low, high;
 };
 
-/// What the lanes of a block compute with: the shapes' own numbers, or what holds those of a ray that was mapped.
+/// What the lanes of a block compute with: the shapes' own numbers, or what holds those of a ray that was mapped, or
+/// holds them as far as anything does.
 template <class R, class T, std::size_t N>
-using lanes_for = pack<std::conditional_t<std::same_as<R, T>, T, double>, N>;
+struct lanes_for {
+    using type = pack<std::conditional_t<std::same_as<R, T>, T, double>, N>;
+    using of_ray = type;
+};
+template <class T, std::size_t N>
+struct lanes_for<double_double, T, N> {
+    using type = pack<rounded_double, N>;
+    using of_ray = basic_double_double<pack<strict_double, N>>;
+};
 
 /// Shapes in blocks of packs.
 template <class Shape>
@@ -96,15 +105,14 @@ public:
     decltype(auto) shapes(std::uint32_t i) const { return blocks_[i].shapes.shapes(); }
     void set(std::uint32_t i, unsigned lane, const Shape& shape) { blocks_[i].shapes.set(lane, shape); }
 
-    /// Packs know nothing of rays with more digits than a double.
     template <real R>
-    requires(unit_roundoff<R> >= unit_roundoff<double>) findings<T, lanes> find(std::uint32_t i, const ray<R>& along,
-                                                                                T t_min, T t_max)
-    const {
-        using W = lanes_for<R, T, lanes>;
+    findings<T, lanes> find(std::uint32_t i, const ray<R>& along, T t_min, T t_max) const {
+        using W = typename lanes_for<R, T, lanes>::type;
+        using N = typename lanes_for<R, T, lanes>::of_ray;
         using S = scalar_t<W>;
         const block& b = blocks_[i];
-        const ray<W> in_every_lane{vec3<W>(vec3<S>(along.origin)), vec3<W>(vec3<S>(along.direction))};
+        const ray<N> in_every_lane{vec3<N>(vec3<scalar_t<N>>(along.origin)),
+                                   vec3<N>(vec3<scalar_t<N>>(along.direction))};
         t_max = std::min(t_max, std::numeric_limits<T>::max());  // what is at infinity is missed
         S from = t_min, to = t_max;  // more digits than T has may be rounded into the window
         if constexpr (!std::same_as<S, T>) from = widened<S>(t_min, -1), to = widened<S>(t_max, 1);
@@ -121,25 +129,6 @@ public:
             found.open = 0;
         }
         return found;
-    }
-
-    /// The lanes whose boxes the ray may meet in the window: what packs know of one with more digits.
-    template <real R>
-    std::uint32_t near(std::uint32_t i, const ray<R>& along, T t_min, T t_max) const {
-        using W = pack<T, lanes>;
-        const block& b = blocks_[i];
-        const aabb<W> box = b.shapes.shapes().bounds();
-        const vec3<T> origin(along.origin), direction(along.direction);
-        const T length = norm1(direction);
-        W entry(widened<T>(t_min, -1)), exit(widened<T>(t_max, 1)), reach(norm1(origin));
-        reach += max(norm1(abs(box.min)), norm1(abs(box.max)));
-        if (!all(slab_numbers<W>::fits(W(length), reach))) return b.used();
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            const slab_numbers<W> slabs(W(origin[axis]), W(direction[axis]), W(length), reach);
-            const W low = box.min[axis] * slabs.over_direction, high = box.max[axis] * slabs.over_direction;
-            entry = max(entry, min(low, high) - slabs.enter), exit = min(exit, max(low, high) - slabs.leave);
-        }
-        return b.used() & bits(entry <= exit);
     }
 
 private:
@@ -175,10 +164,6 @@ public:
     }
 
     static std::uint32_t used(std::uint32_t) { return 1; }
-    template <real R>
-    static std::uint32_t near(std::uint32_t, const ray<R>&, T, T) {
-        return 1;
-    }
     std::uint32_t id(std::uint32_t i, unsigned) const { return ids_[i]; }
     const Shape& shape(std::uint32_t i, unsigned) const { return *shapes_[i]; }
     void set(std::uint32_t i, unsigned, const Shape& shape) { shapes_[i] = shape; }

@@ -22,14 +22,14 @@ public:
 
     std::tuple<Leaves...> all;
 
-    /// Do packs know anything of the shapes of that kind, and of such rays?
+    /// Do packs know anything of the shapes of that kind?
     template <std::size_t Kind, class R>
     static constexpr bool filters = requires(const std::tuple_element_t<Kind, std::tuple<Leaves...>> leaves,
                                              const ray<R> ray) {
         leaves.find(0, ray, 0, 0);
     };
 
-    /// What packs say of the shapes of a leaf; if they do not know, all lanes are open that the ray comes near.
+    /// What packs say of the shapes of a leaf; if they do not know, all of them are open.
     template <std::size_t Kind, class T, class R>
     auto find(std::uint32_t i, const ray<R>& ray, T t_min, T t_max) const {
         const auto& leaves = std::get<Kind>(all);
@@ -37,7 +37,7 @@ public:
             return leaves.find(i, ray, t_min, t_max);
         } else {
             return findings<T, std::remove_cvref_t<decltype(leaves)>::lanes>{
-                .sure = 0, .open = leaves.near(i, ray, t_min, t_max), .low = {}, .high = {}};
+                .sure = 0, .open = leaves.used(i), .low = {}, .high = {}};
         }
     }
 

@@ -107,8 +107,10 @@ public:
     node_ray(const ray<T>& ray, T scale, float size) {
         using four = pack<float, 4>;  // x, y, z, and x once more
         const auto in_lanes = [&](const vec3<T>& v) {
-            const float lanes[] = {static_cast<float>(v.x * scale), static_cast<float>(v.y * scale),
-                                   static_cast<float>(v.z * scale), static_cast<float>(v.x * scale)};
+            using D = std::conditional_t<last_precision<T>, double, T>;  // more digits are of no use
+            const vec3<D> w = vec3<D>(v) * D(scale);
+            const float lanes[] = {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z),
+                                   static_cast<float>(w.x)};
             return four::load(lanes);
         };
         const auto sum_of = [](const four& v) { return v[0] + v[1] + v[2]; };

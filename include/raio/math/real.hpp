@@ -19,7 +19,10 @@
 
 namespace raio {
 
-class strict_double;
+template <int Digits>
+class basic_strict_double;
+using strict_double = basic_strict_double<53>;
+using rounded_double = basic_strict_double<51>;
 template <class D>
 class basic_double_double;
 using double_double = basic_double_double<strict_double>;
@@ -73,7 +76,8 @@ using bound_t = typename real_traits<T>::bound;
 /// Is it packs that nobody wider corrects on the way, since they only sieve? (Packs of strict_double, and of two,
 /// go the same way as one.)
 template <class W>
-inline constexpr bool only_sieves = !std::same_as<mask_t<W>, bool> && std::is_arithmetic_v<scalar_t<W>>;
+inline constexpr bool only_sieves = !std::same_as<mask_t<W>, bool> && !std::same_as<scalar_t<W>, strict_double> &&
+                                    !std::same_as<scalar_t<W>, double_double>;
 
 /// Is it packs that take a closer look at what a sieve has let through?
 template <class W>

@@ -19,11 +19,12 @@
 
 namespace raio {
 
-/// N numbers S: `float`, `double` or `strict_double`, or, to count with, unsigned ones of the same size.
+/// N numbers S: `float`, `double`, `strict_double` or `rounded_double`, or, to count with, unsigned ones of the same
+/// size.
 template <class S, std::size_t N = detail::native_lanes<S>>
 class pack {
     static constexpr bool is_strict = std::same_as<S, strict_double>;
-    using held = std::conditional_t<is_strict, double, S>;  // what registers know
+    using held = std::conditional_t<std::is_arithmetic_v<S>, S, double>;  // what registers know
     static_assert(std::is_arithmetic_v<held> && (sizeof(S) == 4 || sizeof(S) == 8) && 1 <= N && N <= 32);
 
 public:
@@ -38,7 +39,7 @@ public:
     requires std::is_arithmetic_v<Number> RAIO_FN constexpr pack(Number value) {
         detail::fill(registers_, [&](std::size_t) { return register_type(static_cast<held>(value)); });
     }
-    RAIO_FN constexpr pack(strict_double value) requires is_strict : pack(static_cast<double>(value)) {}
+    RAIO_FN constexpr pack(S value) requires(!std::is_arithmetic_v<S>) : pack(static_cast<held>(value)) {}
 
     /// The same numbers, as S.
     template <class From>

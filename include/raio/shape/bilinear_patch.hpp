@@ -72,11 +72,11 @@ struct bilinear_patch {
         E dv = E(2) * (size(apart) + error + off + u_size * du) / least_v;
         // How far the point that u and v name may be off, and so u and v by no more than that over an edge.
         E of_det = E(2) * quotient(missing.size_error, E(missing.size), E(0));
-        E of_u_v = of_det * (u_size * abs(at.u) + v_size * abs(at.v)), rest(0);
+        E of_u_v = of_det * (u_size * abs(E(at.u)) + v_size * abs(E(at.v))), rest(0);
         for (int i = 0; i < 2; ++i) {
             at.error = missing.at.error + error_of_apart(error + bend * du * dv, missing, at_u, at_v);
             rest = of_u_v + speed * at.error;
-            du = E(2) * abs(at.u) + rest / u_size, dv = E(2) * abs(at.v) + rest / v_size;
+            du = E(2) * abs(E(at.u)) + rest / u_size, dv = E(2) * abs(E(at.v)) + rest / v_size;
         }
         // Near a tangent that may be as much as decides the normal's last bits.
         at.certain = every(at.certain, least_v > E(0), rest <= E(0x1p-72) * min(u_size, v_size));
@@ -142,7 +142,7 @@ private:
         crossing_list<W, 2> list;
         const auto [edge_u, edge_v, far] = edges<W>();
         vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);
-        vec3<W> d(ray.direction), origin(ray.origin), corner = vec3<W>(p00) - origin;
+        vec3<W> d(ray.direction), corner = difference_as<W>(p00, ray.origin);
 
         // The vectors are off by two roundings at most, D by as many of its terms, and each sum of triple products by
         // 9 more.
@@ -205,7 +205,7 @@ private:
             for (std::size_t i = next; i < list.count; ++i) list.crossings[i].u = root.t, list.crossings[i].v = v;
         }
         sort_by_t(list);
-        if (list.touches_origin() && lies_on(corner, origin)) list.start_at_origin();
+        if (list.touches_origin() && lies_on(corner, ray.origin)) list.start_at_origin();
         return list;
     }
 
@@ -233,7 +233,8 @@ private:
     }
 
     /// A root that is touched, with the signs of f in the order in which the ray comes by: d = (du's part) du + ...,
-    /// and that part has the sign of (d x w).(du x w). On the fold of a planar patch du x w is zero, and u's order stays.
+    /// and that part has the sign of (d x w).(du x w). On the fold of a planar patch du x w is zero, and u's order
+    /// stays.
     template <class W>
     RAIO_FN static constexpr polynomial_root<W> along_ray(polynomial_root<W> root, const vec3<W>& n,
                                                           const nearby_point<W>& du, const nearby_point<W>& w) {
@@ -260,9 +261,9 @@ private:
     /// Is the ray's origin on the surface through the corners, the first of which is `a` as seen from there? Its
     /// barycentric coordinates in the tetrahedron of the corners are then (1 - u) (1 - v), u (1 - v), (1 - u) v and u
     /// v.
-    template <class W>
-    RAIO_FN constexpr bool lies_on(const vec3<W>& a, const vec3<W>& origin) const {
-        vec3<W> b = vec3<W>(p10) - origin, c = vec3<W>(p01) - origin, e = vec3<W>(p11) - origin;
+    template <class W, real R>
+    RAIO_FN constexpr bool lies_on(const vec3<W>& a, const vec3<R>& origin) const {
+        vec3<W> b = difference_as<W>(p10, origin), c = difference_as<W>(p01, origin), e = difference_as<W>(p11, origin);
         W w00 = dot(b, cross(c, e)), w10 = dot(a, cross(c, e)), w01 = dot(a, cross(b, e)), w11 = dot(a, cross(b, c)),
           zero(0);
         if (w00 - w10 + w01 == w11) return w00 == zero && w10 == zero && w01 == zero;  // then w11 is as well

@@ -56,9 +56,9 @@ struct box {
         using E = bound_t<W>;
         // Where the line enters and leaves the slab across one axis.
         const auto slab = [](R origin, R direction, T low, T high) {
-            W o(origin), over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
+            W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
             const auto way_to = [&](T face) {
-                W apart = W(face) - o, t = apart * over_d;
+                W apart = difference_as<W>(face, origin), t = apart * over_d;
                 if constexpr (last_precision<W>) {  // whose products are no numbers beyond its range
                     if (!is_finite(t)) t = (apart > W(0)) == (over_d > W(0)) ? inf : -inf;
                 }

@@ -58,7 +58,7 @@ RAIO_FN constexpr chord<W> cross_nappe(const revolved_quadric<W>& cone, const ve
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
                                        const ray<R>& ray) {
-    vec3<W> to_end = vec3<W>(select(radii.y < radii.x, top, base)) - vec3<W>(ray.origin);
+    vec3<W> to_end = difference_as<W>(select(radii.y < radii.x, top, base), ray.origin);
     return cross_nappe(nappes(widening_axis<W>(base, top, radii), radii), radii, to_end,
                        norm1(vec3<bound_t<W>>(to_end)), vec3<W>(ray.direction));
 }

@@ -46,10 +46,10 @@ struct watertight_triangle {
         };
         using E = bound_t<W>;
         W zero(0);
-        vec3<W> direction = turned(ray.direction), origin = turned(ray.origin);
+        vec3<W> direction = turned(ray.direction);
         W over_z = quotient(W(1), direction.z, zero), shear_x = direction.x * over_z, shear_y = direction.y * over_z;
         const auto sheared = [&](const vec3<T>& corner) {
-            vec3<W> from_origin = turned(corner) - origin;
+            vec3<W> from_origin = turned(difference_as<W>(corner, ray.origin));
             return vec3<W>(from_origin.x - shear_x * from_origin.z, from_origin.y - shear_y * from_origin.z,
                            from_origin.z);
         };
