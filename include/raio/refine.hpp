@@ -60,12 +60,10 @@ RAIO_FN constexpr crossing<W> if_to_all_digits(crossing<W> missing, const nearby
 /// The same crossing in the precision of X. The shape's `correction(nearby, c)` is that crossing as the ray from c.t on
 /// meets it, in the precision of W.
 template <class X, class Shape, real R, class W>
-RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, crossing<W> c) {
+RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, const crossing<W>& c) {
     using E = bound_t<X>;
-    const auto gone = [&](const auto& t) {
-        return nearby_ray<X, W>{vec3<exact_t<W>>(ray.origin), product_as<X>(ray.direction, t), vec3<W>(ray.direction)};
-    };
-    nearby_ray<X, W> nearby = gone(c.t);
+    vec3<exact_t<W>> origin(ray.origin);
+    nearby_ray<X, W> nearby{origin, product_as<X>(ray.direction, c.t), vec3<W>(ray.direction)};
     crossing<W> missing = shape.correction(nearby, c);
     X t = sum_as<X>(c.t, missing.t);
     if constexpr (!std::same_as<exact_t<W>, W>) {
@@ -74,11 +72,12 @@ RAIO_FN constexpr crossing<X> refined(const Shape& shape, const ray<R>& ray, cro
         constexpr double part = 0x1p-88;
         crossing<W> close = if_to_all_digits(missing, nearby, part);
         if (missing.certain && !close.certain) {
-            c.t = W(t), c.u = c.u + missing.u, c.v = c.v + missing.v;
-            c.error = missing.error + E(4 * unit_roundoff<X>) * abs(E(t));
-            nearby = gone(t);
-            missing = shape.correction(nearby, c);
-            t = t + X(missing.t), close = if_to_all_digits(missing, nearby, part);
+            crossing<W> closer = c;
+            closer.t = W(t), closer.u = c.u + missing.u, closer.v = c.v + missing.v;
+            closer.error = missing.error + E(4 * unit_roundoff<X>) * abs(E(t));
+            nearby.step = product_as<X>(ray.direction, t);
+            close = if_to_all_digits(shape.correction(nearby, closer), nearby, part);
+            t = t + X(close.t), close.u = close.u + missing.u, close.v = close.v + missing.v;
         }
         missing = close;
     }
