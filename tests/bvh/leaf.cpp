@@ -76,18 +76,11 @@ TEST_CASE_TEMPLATE("leaf_blocks: a ray of more digits than a double has", T, RAI
     // What packs are certain of is so, from wherever the ray comes.
     random_numbers random(3);
     int sure = 0, open = 0;
-    const auto number = [&](double x) {
-        return double_double(x) + double_double(x) * double_double(random.uniform(-0x1p-54, 0x1p-54));
-    };
-    const auto numbers = [&](const vec3<double>& v) {
-        const double_double x = number(v.x), y = number(v.y);
-        return vec3<double_double>(x, y, number(v.z));
-    };
     for (int i = 0; i < at_least(20'000); ++i) {
         const bool at_edge = random.one_in(8);
         const vec3<double> aim(random.uniform(-0.2, 2), at_edge ? 0 : random.uniform(-0.1, 0.5), -2);
         const vec3<double> from = aim + random.direction() * random.log_uniform(0.01, 1e6);
-        const ray<double_double> r{numbers(from), numbers(aim - from)};
+        const ray<double_double> r = with_more_digits(ray<double>{from, aim - from}, random);
         const auto found = leaves.find(0, r, T(0), infinity<T>);
         for (unsigned lane = 0; lane < 2; ++lane) {
             const bool is_sure = (found.sure >> lane & 1) != 0, is_open = (found.open >> lane & 1) != 0;

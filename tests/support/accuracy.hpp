@@ -210,21 +210,6 @@ std::string wrong_refinement(const Shape& shape, const ray<R>& ray, int& refinem
     return "";
 }
 
-/// The same ray, with digits beyond those of a double in every other number, as one that was mapped has them.
-template <class T>
-ray<double_double> with_more_digits(const ray<T>& ray, random_numbers& random) {
-    const auto number = [&](T x) {
-        const double rest = random.one_in(2) ? random.uniform(-0x1p-54, 0x1p-54) : 0;
-        return double_double(x) + double_double(x) * double_double(rest);
-    };
-    const auto numbers = [&](const vec3<T>& v) {
-        const double_double x = number(v.x), y = number(v.y);
-        return vec3<double_double>(x, y, number(v.z));
-    };
-    const vec3<double_double> origin = numbers(ray.origin);
-    return {origin, numbers(ray.direction)};
-}
-
 /// \param may_stay_open  part of the refined crossings: most are of rays from the surface itself, whose t is all but 0
 template <class Shape>
 void check_bounds_of_errors(int rays, double may_stay_open = 0.3) {

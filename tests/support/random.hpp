@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include <raio/math/vec.hpp>
+#include <raio/ray.hpp>
 
 /// \file
 /// Random numbers that are the same in every run: the generator and the distributions are our own.
@@ -50,6 +50,21 @@ public:
 private:
     std::uint64_t state_;
 };
+
+/// The same ray, with digits beyond those of a double in every other number, as one that was mapped has them.
+template <class T>
+ray<double_double> with_more_digits(const ray<T>& ray, random_numbers& random) {
+    const auto number = [&](T x) {
+        const double rest = random.one_in(2) ? random.uniform(-0x1p-54, 0x1p-54) : 0;
+        return double_double(x) + double_double(x) * double_double(rest);
+    };
+    const auto numbers = [&](const vec3<T>& v) {
+        const double_double x = number(v.x), y = number(v.y);
+        return vec3<double_double>(x, y, number(v.z));
+    };
+    const vec3<double_double> origin = numbers(ray.origin);
+    return {origin, numbers(ray.direction)};
+}
 
 /// How many rays the comparisons with the oracle send: 100,000, or what RAIO_TEST_RAYS says in the environment. The
 /// answers are the same bits from every compiler, and sanitizers are slow: one compiler sends them all, the presets of
