@@ -49,8 +49,8 @@ struct findings {
     pack<T, N> low, high;
 };
 
-/// What the lanes of a block compute with: the shapes' own numbers, or what holds those of a ray that was mapped, or
-/// holds them as far as anything does.
+/// What the lanes of a block compute with, and the ray in them: the shapes' own numbers, or what holds those of a ray
+/// that was mapped. Where these are of two doubles, lanes round them, and count that.
 template <class R, class T, std::size_t N>
 struct lanes_for {
     using type = pack<std::conditional_t<std::same_as<R, T>, T, double>, N>;
@@ -105,6 +105,7 @@ public:
     decltype(auto) shapes(std::uint32_t i) const { return blocks_[i].shapes.shapes(); }
     void set(std::uint32_t i, unsigned lane, const Shape& shape) { blocks_[i].shapes.set(lane, shape); }
 
+    /// What packs know of the crossings with a ray of any precision.
     template <real R>
     findings<T, lanes> find(std::uint32_t i, const ray<R>& along, T t_min, T t_max) const {
         using W = typename lanes_for<R, T, lanes>::type;

@@ -114,9 +114,11 @@ struct torus {
                 list.append(t, error, root);
                 continue;
             }
-            // On the surface that counts, `outer` is positive. At its two points on the axis it is zero, and two
-            // circles meet: a line goes from the one into the other, or by one root for both into what both enclose,
-            // where it is closest to the centre, or out of it.
+            // On the surface that counts, `outer` is positive. At its two points on the axis it is zero. In the plane
+            // of the axis and the line two circles meet there, and f is negative within one of them alone. A line that
+            // goes from one into the other stays in the solid, and touches its surface from within. What both enclose
+            // is about the centre: a line enters it there before its closest approach to the centre, and leaves it
+            // there after that.
             E outer(g + e2 * root.t * root.t), outer_error = slack + E(2) * root.error;
             const bool tip = abs(outer) <= outer_error, twice = root.before * root.after > 0;
             const bool entering = root.before > 0, to_other = twice && !entering;
