@@ -50,8 +50,8 @@ TEST_CASE_TEMPLATE("leaf_blocks: shapes with their ids, each once, and nothing i
 
 TEST_CASE_TEMPLATE("leaf_blocks: a ray of more digits than a double has", T, RAIO_NUMBERS) {
     detail::leaf_blocks<triangle<T>> leaves;
-    const detail::leaf_range ranges[] = {{0, 2}};
-    const std::uint32_t ids[] = {0, 1};
+    const detail::leaf_range ranges[] = {{0, 3}};
+    const std::uint32_t ids[] = {0, 1, 1 << 20};
     leaves.resize(ranges);
     leaves.fill(0, ids, [](std::uint32_t id) {
         const auto x = static_cast<T>(id);
@@ -70,6 +70,9 @@ TEST_CASE_TEMPLATE("leaf_blocks: a ray of more digits than a double has", T, RAI
                                          {0, 0, -1}},
                       T(0), infinity<T>) == (more < 0));
     }
+    // Beside a corner far away all digits count until it is subtracted.
+    CHECK((found_at(0x1p20, 0x1p-34).sure == 4 && found_at(0x1p20, 0x1p-34).open == 0));
+    CHECK((found_at(0x1p20, -0x1p-34).sure == 0 && found_at(0x1p20, -0x1p-34).open == 0));
     CHECK((found_at(0.25, 1e-20, T(2.5)).sure == 0 && found_at(0.25, 1e-20, T(2.5)).open == 0));
     CHECK((found_at(0.25, 1e-20, T(0), T(1.5)).sure == 0 && found_at(0.25, 1e-20, T(0), T(1.5)).open == 0));
 
