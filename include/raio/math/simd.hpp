@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include <raio/math/angle.hpp>
-#include <raio/math/simd_register.hpp>
+#include <raio/math/pack_mask.hpp>
 
 /// \file
 /// Many numbers that go through one formula together: a shape of packs is as many shapes, a ray of packs as many rays.
