@@ -11,9 +11,13 @@ namespace raio {
 /// The crossings of one line with a surface, in order. All that are listed exist in the precision of W.
 template <class W, std::size_t N>
 struct crossing_list {
-    std::array<crossing<W>, N> crossings{};
+    std::array<crossing<W>, N> crossings;  ///< what is beyond `count` has no value
     std::size_t count = 0;
     bool certain = true;  ///< are these all, and are they there, whatever the rounding errors were?
+
+    crossing_list() = default;
+    /// None.
+    RAIO_FN constexpr explicit crossing_list(bool is_certain) : certain(is_certain) {}
 
     RAIO_FN constexpr const crossing<W>* begin() const { return crossings.data(); }
     RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
@@ -153,7 +157,7 @@ requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(cons
             return settled;
         };
         const auto all_refined = [&]<class W, std::size_t N>(const crossing_list<W, N>& list) {
-            crossing_list<X, N> fine{.certain = list.certain};
+            crossing_list<X, N> fine(list.certain);
             for (const crossing<W>& c : list) fine.append(refined<X>(shape, ray, c));
             return fine;
         };

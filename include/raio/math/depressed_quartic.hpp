@@ -40,7 +40,7 @@ public:
     /// The first root in [low, high]. Not known unless it is positive at both ends.
     RAIO_FN constexpr first_root<W> between(const W& low, const W& high) const {
         if (!is_sound_ || !(W(-1) <= low && high <= W(1))) return {};
-        W square = c2_ / (c4_ * W(-6)), bend = square > W(0) ? sqrt(square) : W(0);
+        W square = c2_ / (c4_ * W(-6)), bend = sqrt(max(W(0), square));
         const place from = place_at(low), left = place_at(max(low, -bend)), right = place_at(min(high, bend)),
                     to = place_at(high);
         if (!(left.x <= right.x) || !is_positive(from) || !is_positive(to)) return {};

@@ -11,7 +11,7 @@ namespace raio {
 /// At most N places, in order.
 template <real W, std::size_t N>
 struct polynomial_roots {
-    std::array<polynomial_root<W>, N> places{};
+    std::array<polynomial_root<W>, N> places;  ///< what is beyond `count` has no value
     std::size_t count = 0;
     bool certain = true;  ///< is each of them one simple root, and are they all, whatever the rounding errors were?
 
@@ -51,7 +51,8 @@ template <real W, std::size_t N>
     using E = bound_t<W>;
     const detail::root_finder<W, N> finder(p, low, high);
     E exact = wanted.last_step, coarse(0x1p-7);
-    polynomial_roots<W, N> found{.certain = false};
+    polynomial_roots<W, N> found;
+    found.certain = false;
     if (!finder.is_sound()) return found;
     const auto is_there = [&](const detail::enclosure<W>& about) {
         return E(about.low) > wanted.from && E(about.high) < wanted.to;
@@ -61,12 +62,13 @@ template <real W, std::size_t N>
     if constexpr (N == 4 && !last_precision<W>) {
         const first_root<W> first =
             is_finite(wanted.from) ? depressed_quartic<W>(p).between(low, high) : first_root<W>{};
-        if (first.known && !first.exists) return {.certain = true};
+        found.certain = first.known;
+        if (first.known && !first.exists) return found;
         if (first.known && !(E(first.high) < wanted.before)) {
             const detail::enclosure<W> about{first.low, first.high, 1, -1, true};
             found.places[0] =
                 is_there(about) ? detail::somewhere_in(about) : finder.approach(about, first.guess, exact);
-            found.count = 1, found.certain = true;
+            found.count = 1;
             if (is_enough(found.places[0])) return found;
         }
     }

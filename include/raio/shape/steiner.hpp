@@ -45,7 +45,7 @@ struct steiner {
         using E = bound_t<W>;
         // The lobes reach as far as their tips at size / 3 (1, 1, 1), which are 0.58 away, and as the cube's faces.
         const auto part = part_near(ray, center, vec3<W>(center), W(size) * W(0.5859375));
-        if (!part.exists) return {.certain = part.certain};
+        if (!part.exists) return crossings_of_degree<W, 4>(part.certain);
         const auto f = along(part.point());
 
         // Where f only touches zero from above, that may be an axis beyond the cube.

@@ -51,7 +51,7 @@ struct teardrop {
         const bool sound = radius > T(0) && axis2 >= W(least_normal<W>) && r * r >= W(least_normal<W>);
         if (!sound || !is_finite(bottom) || !is_finite(tip)) return {};
         const auto part = part_near(ray, bottom, low + axis * W(0.5), sqrt(axis2 * W(0.25) + r * r));
-        if (!part.exists) return {.certain = part.certain};
+        if (!part.exists) return crossings_of_degree<W, 4>(part.certain);
 
         return open_crossings(along(part.point()), part, everywhere<W>(), part.roots_for(wanted));
     }
