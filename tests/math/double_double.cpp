@@ -45,6 +45,34 @@ TEST_CASE("double_double: the error of every operation is below 2^-100") {
     CHECK(root < 0x1p-100);
 }
 
+TEST_CASE("double_double: the error of a sum of products is below 2^-101 of their sizes") {
+    random_numbers random(4);
+    double of_two = 0, of_three = 0;
+    for (int i = 0; i < at_least(100'000); ++i) {
+        const auto any = [&] {
+            return double_double(random.uniform(-2, 2)) + double_double(random.uniform(-0x1p-53, 0x1p-53));
+        };
+        const double_double a = any(), b = any(), c = any(), e = any(), f = any();
+        // Every other time the products cancel: all but a few of their bits, or their low parts.
+        const double_double d = random.one_in(2) ? any() : a * b / -c * (1.0 + random.log_uniform(1e-32, 1));
+        const oracle ab = exactly(a) * exactly(b), cd = exactly(c) * exactly(d), ef = exactly(e) * exactly(f);
+        of_two = std::max(of_two, error_of(double_double::sum_of_products(a, b, c, d), ab + cd, abs(ab) + abs(cd)));
+        of_three = std::max(of_three, error_of(double_double::sum_of_products(a, b, c, d, e, f), ab + cd + ef,
+                                               abs(ab) + abs(cd) + abs(ef)));
+    }
+    CHECK(of_two < 0x1p-101);
+    CHECK(of_three < 0x1p-101);
+}
+
+TEST_CASE("double_double: of a sum of products out of range no number is left, or an infinity") {
+    const double_double one(1), huge(0x1p1000), most(0x1p1023);
+    const auto sum = [](auto... x) { return static_cast<double>(double_double::sum_of_products(x...)); };
+    CHECK(std::isnan(sum(huge, huge, one, one)));
+    CHECK(std::isnan(sum(one, one, one, one, huge, huge)));
+    CHECK(sum(most, one, most, one) == infinity<double>);
+    CHECK(sum(-most, one, -most, one, one, one) == -infinity<double>);
+}
+
 TEST_CASE("double_double: sums and products of doubles have no error") {
     random_numbers random(2);
     for (int i = 0; i < at_least(100'000); ++i) {

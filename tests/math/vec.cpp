@@ -29,6 +29,12 @@ TEST_CASE_TEMPLATE("vec: lengths and signs", T, float, double, oracle) {
     CHECK((select(false, v, -v).x == T(-2)));
 }
 
+TEST_CASE_TEMPLATE("vec: dot and cross products", T, float, double, double_double, oracle) {
+    const vec3<T> a(T(1), T(-2), T(3)), b(T(4), T(5), T(-6));
+    CHECK((dot(a, b) == T(-24)));
+    CHECK((cross(a, b) == vec3<T>(T(-3), T(18), T(13))));
+}
+
 TEST_CASE_TEMPLATE("vec: one of two, by a branch or without", T, float, double, double_double, oracle) {
     const vec3<T> a(T(1), T(2), T(3)), b(T(4), T(5), T(6));
     for (const bool first : {true, false}) {

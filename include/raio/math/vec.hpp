@@ -22,9 +22,24 @@ RAIO_FN constexpr T dot(const vec3<T>& a, const vec3<T>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+template <class D>
+RAIO_FN constexpr basic_double_double<D> dot(const vec3<basic_double_double<D>>& a,
+                                             const vec3<basic_double_double<D>>& b) {
+    return basic_double_double<D>::sum_of_products(a.x, b.x, a.y, b.y, a.z, b.z);
+}
+
 template <real T>
 RAIO_FN constexpr vec3<T> cross(const vec3<T>& a, const vec3<T>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class D>
+RAIO_FN constexpr vec3<basic_double_double<D>> cross(const vec3<basic_double_double<D>>& a,
+                                                     const vec3<basic_double_double<D>>& b) {
+    const auto minor = [](const auto& p, const auto& q, const auto& r, const auto& s) {
+        return basic_double_double<D>::sum_of_products(p, q, -r, s);
+    };
+    return {minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x)};
 }
 
 /// a + b, a - b and a s in the precision of W, as those of numbers.
