@@ -85,6 +85,14 @@ TEST_CASE("double_double: sums and products of doubles have no error") {
     }
 }
 
+TEST_CASE("double_double: sums and products in a precision take every part of what they are given") {
+    const double_double a = double_double(1) + double_double(0x1p-80), b = double_double(3) - double_double(0x1p-70);
+    CHECK((sum_as<double_double>(a, b) == a + b && sum_as<double_double>(a, 3.0) == a + double_double(3)));
+    CHECK((difference_as<double_double>(a, b) == a - b && product_as<double_double>(a, b) == a * b));
+    CHECK((sum_as<double>(2.0, 3.0f) == 5 && difference_as<double>(2.0, 3.0f) == -1));
+    CHECK((sum_as<float>(2.0f, 3.0f) == 5 && product_as<double>(2.0f, 3.0) == 6));
+}
+
 TEST_CASE("double_double: so do products up to the end of the range") {
     random_numbers random(3);
     for (int i = 0; i < at_least(10'000); ++i) {
@@ -104,10 +112,16 @@ TEST_CASE("double_double: compares, rounds and changes signs like a number") {
     CHECK(floor(less) == double_double(0));
     CHECK(floor(double_double(-2.5)) == double_double(-3));
     CHECK(floor(double_double(0x1p70) - double_double(0.5)) == double_double(0x1p70) - one);
-    CHECK(copysign(more, double_double(-0.0)) == -more);
+    for (const double_double& size : {more, less, double_double(0.25), double_double(4)}) {
+        CHECK((copysign(size, double_double(-0.0)) == -size && copysign(-size, double_double(-0.5)) == -size));
+        CHECK((copysign(size, double_double(0.5)) == size && copysign(-size, double_double(2)) == size));
+    }
+    CHECK(!std::signbit(static_cast<double>(abs(double_double(0)))));
     CHECK(static_cast<double>(more) == 1);
     double_double part = more;
     CHECK(((part /= less) == more / less && part == more / less));
+    CHECK(((part += less) == more / less + less && (part -= less) == more / less + less - less));
+    CHECK(((part = more) *= less) == more * less);
     using limits = std::numeric_limits<double_double>;
     CHECK(limits::epsilon() == std::ldexp(1.0, 1 - limits::digits));
     CHECK(exactly(more) == oracle(1) + oracle(0x1p-80));
@@ -121,6 +135,7 @@ TEST_CASE("double_double: becomes a float by one rounding") {
     const double_double odd_middle(1 + 0x1p-23 + 0x1p-24);
     CHECK(static_cast<float>(odd_middle) == 1 + 0x1p-22f);
     CHECK(static_cast<float>(odd_middle - bit) == 1 + 0x1p-23f);
+    CHECK(static_cast<float>(middle + double_double(0x1p-52) - bit) == 1 + 0x1p-23f);
     CHECK(static_cast<float>(-middle - bit) == -1 - 0x1p-23f);
     CHECK(static_cast<float>(double_double(0x1p1000)) == std::numeric_limits<float>::infinity());
 }

@@ -13,6 +13,9 @@ static_assert(norm1(vec3<double>(1, -2, 3)) == 6 && norm1(vec3<double>(-1, 2, -3
 static_assert(abs(vec3<double>(-1, -2, -3)) == vec3<double>(1, 2, 3));
 static_assert(permanent(vec3<double>(-1, 2, -3), vec3<double>(4, -5, 6), vec3<double>(-7, 8, -9)) == 450);
 static_assert(permanent(vec3<double>(1, -2, 3), vec3<double>(-4, 5, -6), vec3<double>(7, -8, 9)) == 450);
+static_assert(component(vec3<float>(1, 2, 3), 0) == 1 && component(vec3<float>(1, 2, 3), 2) == 3);
+static_assert(component(vec3<float>(1, 2, 3), 0.0) == 1 && component(vec3<float>(1, 2, 3), 1.0) == 2 &&
+              component(vec3<float>(1, 2, 3), 2.0) == 3);
 static_assert(is_finite(vec3<float>(1)) && !is_finite(vec3<float>(1, infinity<float>, 1)));
 static_assert(std::same_as<vec3<float>, glm::vec3> && std::same_as<vec2<double>, glm::dvec2>);
 
