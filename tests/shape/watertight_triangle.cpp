@@ -8,6 +8,21 @@ TEST_CASE_TEMPLATE("watertight_triangle: named cases", T, RAIO_NUMBERS) {
     check_triangle_cases<watertight_triangle<T>>();
 }
 
+TEST_CASE("watertight_triangle: rays that start on it, or all but there, what the shear would round away") {
+    check_cases<watertight_triangle<float>>({
+        {"starts on it, and has no way to go",
+         {{0x1.0a70cp+4f, -0x1.1cd694p+4f, -0x1.b40d6p+2f},
+          {0x1.0ac578p+4f, -0x1.1ca05cp+4f, -0x1.b3c138p+2f},
+          {0x1.0ac4aap+4f, -0x1.1ca0d2p+4f, -0x1.b3c1d2p+2f}},
+         {{0x1.0a8f2ap+4f, -0x1.1cc31ap+4f, -0x1.b3f202p+2f}, {-0x1.b1b8fcp-2f, -0x1.a06368p-1f, 0x1.98967p-2f}},
+         leaves(0)},
+        {"starts 2^-124 below, and leaves",
+         {{1, -1, 0}, {1, 2, 0}, {-1, -1, 0}},
+         {{0, 0, -0x1.000006p-124f}, {0x1.be7eacp-1f, 0x1.b7af5cp-2f, -0x1.e0ed4p-3f}},
+         misses},
+    });
+}
+
 TEST_CASE("watertight_triangle: ties that double_double cannot tell") {
     check_cases<watertight_triangle<double>>({
         {"on vertex c, which double_double cannot tell",

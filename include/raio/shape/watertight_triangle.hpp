@@ -72,8 +72,16 @@ struct watertight_triangle {
             some(every(u >= -u_tie, v >= -v_tie, w >= -w_tie), every(u <= u_tie, v <= v_tie, w <= w_tie));
         const mask_t<W> decided = every(abs(u) > u_error, abs(v) > v_error, abs(w) > w_error);
 
-        W over_det = quotient(W(1), det, zero), height = u * p.z + v * q.z + w * r.z, t = height * over_det * over_z;
+        W height = u * p.z + v * q.z + w * r.z;
         E height_error = two * (u_error * abs(E(p.z)) + v_error * abs(E(q.z)) + w_error * abs(E(r.z)));
+        if constexpr (last_precision<W>) {
+            // The same, of the edges as they are: the shear would round away that it is nothing, or all but that, where
+            // a ray starts on the triangle.
+            vec3<W> e1 = difference_as<W>(b, a), e2 = difference_as<W>(c, a), s = difference_as<W>(ray.origin, a);
+            height = dot(e2, cross(s, e1));
+            height_error = E(8 * unit_roundoff<W>) * triple_product_bound(e2, s, e1);
+        }
+        W over_det = quotient(W(1), det, zero), t = height * over_det * over_z;
         E error = two * (height_error * abs(E(over_z)) + abs(E(t)) * det_error) * abs(E(over_det)) + k * abs(E(t));
         const mask_t<W> runs = every(is_finite(direction.z), abs(direction.z) > zero);
         return {.exists = every(inside, abs(det) > tie<W>(det_error), runs),
