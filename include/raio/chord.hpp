@@ -112,6 +112,11 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     const mask_t<W> decided = every(a.near.certain, b.near.certain, abs(inside) > slack);
     const mask_t<W> exists = every(a.near.exists, b.near.exists, inside >= -tie<W>(slack));
     const mask_t<W> certain = some(missed, decided);
+    if constexpr (last_precision<W>) {  // what cannot be told from a point is one, where that is known best
+        const mask_t<W> is_point = every(exists, inside < W(0));
+        W point = select(near_error < far_error, near, far);
+        near = select(is_point, point, near), far = select(is_point, point, far);
+    }
     return {{exists, certain, near, near_error, a.near.entering, select(b_enters_later, b.near.face, a.near.face),
              a.near.u, a.near.v, shared(b_enters_later, a.near, b.near)},
             {exists, certain, far, far_error, a.far.entering, select(b_leaves_first, b.far.face, a.far.face), a.far.u,

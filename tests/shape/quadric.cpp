@@ -83,6 +83,31 @@ TEST_CASE_TEMPLATE("quadric: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE_TEMPLATE("quadric: ends of a box and of a quadric in one point", T, RAIO_NUMBERS) {
+    // (The second was left a little before it was entered: a window that ends there had another hit.)
+    const quadric<T> at_corner{{-1, -3, 2}, {2, -1, 3}, {-1, 1, 0}, {-1, 2, 2}, {2, 0, -2}, -3},
+        at_face{{0, -2, -1}, {2, 1, 2}, {-1, -1, -1}, {-1, -3, -2}, {3, -3, 2}, -1};
+    const ray<T> to_corner{{1, 1, 2}, {1, -2, 0}}, to_face{{-2, 0, 0}, {2, 0, 1}};
+    const T before = std::nextafter(T(1), T(0));
+    check_cases<quadric<T>>({
+        {"at a corner", at_corner, to_corner, enters(1)},
+        {"at a corner, the window ends before", at_corner, to_corner, misses, 0, before},
+        {"in a face", at_face, to_face, enters(1)},
+        {"in a face, the window ends before", at_face, to_face, misses, 0, before},
+    });
+    const vec3<T> low(-2, 1, -3), high(1, 2, 3);
+    check_cases<open_quadric<T>>({
+        {"touched from within, at an edge of the box",
+         {low, high, {1, -2, -1}, {-2, -1, 0}, {2, -2, 1}, 1},
+         {{0, 1, -2}, {1, 0, 2}},
+         leaves(1)},
+        {"touched from within, in a face of the box",
+         {{2, -3, -3}, {3, 3, 2}, {-1, -3, -1}, {1, 1, -3}, {-1, -3, 0}, 0},
+         {{0, 1, -1}, {2, -2, 2}},
+         leaves(1)},
+    });
+}
+
 TEST_CASE_TEMPLATE("open_quadric: named cases", T, RAIO_NUMBERS) {
     const vec3<T> low(-4), high(4);
     const open_quadric<T> tube{low, high, {1, 1, 0}, {0, 0, 0}, {0, 0, 0}, -4},

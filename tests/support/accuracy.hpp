@@ -61,6 +61,13 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<R>& 
     if constexpr (requires { about::grown(exact_shape); }) {
         if (std::ranges::all_of(crossings, &crossing<oracle>::certain)) return crossings;
         std::vector larger = all_crossings<oracle>(about::grown(exact_shape), exact_ray);
+        if constexpr (requires { about::grown_inwards(exact_shape); }) {
+            const std::vector inwards = all_crossings<oracle>(about::grown_inwards(exact_shape), exact_ray);
+            const auto exist = [](const auto& found) {
+                return std::ranges::count_if(found, &crossing<oracle>::exists);
+            };
+            if (exist(inwards) > exist(larger)) larger = inwards;
+        }
         add_errors(larger, 1e-17);  // faces are off by 1e-21, and a ray may come to them at an angle of 1e-4
         if (larger.size() > crossings.size()) return larger;
         for (std::size_t i = 0; i < larger.size(); ++i) {

@@ -34,13 +34,16 @@ struct subject<quadric<T, Closed>> : boxed_subject<quadric<T, Closed>> {
     }
     /// In a larger box, and by less than that wider: what meets a rim meets the surface then. A tangent is moved by the
     /// root of how much wider.
-    static auto grown(auto s) {
+    static auto grown(const auto& s) { return grown_by(s, oracle(1e-55)); }
+    /// What touches the surface alone from within meets it, then.
+    static auto grown_inwards(const auto& s) requires(!Closed) { return grown_by(s, oracle(-1e-55)); }
+    static auto grown_by(auto s, const oracle& part) {
         const vec3<oracle> size = s.max - s.min;
         if (!(size.x > 0 && size.y > 0 && size.z > 0)) return s;  // it is missed, and remains so
         const oracle more = norm1(size) * oracle(1e-21), far = norm1(s.min) + norm1(s.max);
         s.min -= vec3<oracle>(more), s.max += vec3<oracle>(more);
         const oracle terms = (norm1(s.squares) + norm1(s.products)) * far * far + norm1(s.linear) * far;
-        s.constant -= (terms + abs(s.constant)) * oracle(1e-55);
+        s.constant -= (terms + abs(s.constant)) * part;
         return s;
     }
 };
