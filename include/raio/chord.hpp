@@ -116,6 +116,8 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
         const mask_t<W> is_point = every(exists, inside < W(0));
         W point = select(near_error < far_error, near, far);
         near = select(is_point, point, near), far = select(is_point, point, far);
+        E moved = select(is_point, -E(inside), E(0));
+        near_error += moved, far_error += moved;
     }
     return {{exists, certain, near, near_error, a.near.entering, select(b_enters_later, b.near.face, a.near.face),
              a.near.u, a.near.v, shared(b_enters_later, a.near, b.near)},
