@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("quadric: named cases", T, RAIO_NUMBERS) {
 }
 
 TEST_CASE_TEMPLATE("quadric: ends of a box and of a quadric in one point", T, RAIO_NUMBERS) {
-    // (The second was left a little before it was entered: a window that ends there had another hit.)
+    // (They were left a little before they were entered: a window that ends there had another hit.)
     const quadric<T> at_corner{{-1, -3, 2}, {2, -1, 3}, {-1, 1, 0}, {-1, 2, 2}, {2, 0, -2}, -3},
         at_face{{0, -2, -1}, {2, 1, 2}, {-1, -1, -1}, {-1, -3, -2}, {3, -3, 2}, -1};
     const ray<T> to_corner{{1, 1, 2}, {1, -2, 0}}, to_face{{-2, 0, 0}, {2, 0, 1}};

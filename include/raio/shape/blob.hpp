@@ -192,7 +192,7 @@ private:
             if (roots.count == 0) return reach(begins_inside ? -1 : 1);
             for (const polynomial_root<W>& root : roots) {
                 if (root.before != 0) reach(root.before);
-                // (A short piece is all but zero at the ends of a tangent's place as well.)
+                // (So is, about a tangent, a piece that is shorter than the root of the noise, which is below 2^-16.)
                 if (root.before == 0 && root.after == 0 && bound_t<W>(high - low) > bound_t<W>(0x1p-16)) {
                     meet({low, bound_t<W>(0), 0, 0, root.height});
                     end = {high, bound_t<W>(0), 0, 0, root.height}, is_along = true;
