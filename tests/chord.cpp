@@ -137,4 +137,22 @@ TEST_CASE("chord: an end is kept as far as the ray reaches it in numbers of its 
     }
 }
 
+TEST_CASE("chord: what cannot be told from a point is one, where that is known best") {
+    using W = double_double;
+    const auto ends = [](double near, double near_error, double far, double far_error) {
+        return chord<W>{{true, true, W(near), near_error, true}, {true, true, W(far), far_error, false}};
+    };
+    const double apart = 0x1p-50;
+    // Entered at 1, which is known well, and left a little before that, which is not; and the other way round.
+    const chord<W> entered = intersect(ends(1, 0x1p-90, 3, 0), ends(-1, 0, 1 - apart, 0x1p-49));
+    const chord<W> left = intersect(ends(1 + apart, 0x1p-49, 3, 0), ends(-1, 0, 1, 0x1p-90));
+    for (const chord<W>& c : {entered, left}) {
+        CHECK((c.near.exists && c.far.exists && !c.near.certain && c.near.entering && !c.far.entering));
+        CHECK((c.near.t == W(1) && c.far.t == W(1)));
+        CHECK((c.near.error >= strict_double(apart) && c.far.error >= strict_double(apart)));
+    }
+    const chord<W> none = intersect(ends(1, 0x1p-90, 3, 0), ends(-1, 0, 1 - apart, 0x1p-52));
+    CHECK((!none.near.exists && none.near.certain));
+}
+
 }  // namespace raio::test

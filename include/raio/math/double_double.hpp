@@ -100,9 +100,9 @@ public:
         });
     }
     /// a b + c d + ..., of two or three products. The low parts wait until all high parts are added up: that is less
-    /// than the operations one by one. With u = 2^-53 the low part of a product is off by 8 u^2 of its size, and at most
-    /// 3 u; the sums of three of them round away 6 u^2, those of the errors of the high parts, each at most u, 2 u^2,
-    /// and that of both 5 u^2: 21 u^2 in all, which is below 2^-101 of the products' sizes.
+    /// than the operations one by one. With u = 2^-53 the low part of a product is off by 8 u^2 of its size, and at
+    /// most 3 u; the sums of three of them round away 6 u^2, those of the errors of the high parts, each at most u, 2
+    /// u^2, and that of both 5 u^2: 21 u^2 in all, which is below 2^-101 of the products' sizes.
     template <class... More>
     RAIO_NO_CLONES RAIO_FN static constexpr basic_double_double sum_of_products(basic_double_double a,
                                                                                 basic_double_double b, More... more) {
