@@ -199,6 +199,63 @@ RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N
     return open_crossings(f, part, clip, wanted, [](const polynomial_root<W>&) { return true; });
 }
 
+/// Follows the line from outside, through one polynomial of degree 4 after the other. Where a polynomial is zero at an
+/// end, the next one tells what comes of it. One that is zero all the way is that of a line in the surface, which
+/// touches it from where that begins to where it ends.
+template <class W, std::size_t N>
+struct piecewise_walk {
+    const line_part<W>& part;
+    wanted_roots<W> wanted;
+    crossing_list<W, N>& list;
+    int sign = 1;  ///< of what the polynomials are pieces of: positive outside
+    bool is_open = false, is_along = false, is_done = false;
+    polynomial_root<W> begin{}, end{};  ///< of what is open; there is an end if it runs along the surface
+
+    RAIO_FN constexpr void cross(const polynomial<W, 4>& f, const W& low, const W& high) {
+        const auto [roots, begins_inside] = find_roots(f, low, high, wanted);
+        list.certain = list.certain && roots.certain;
+        if (roots.count == 0) return reach(begins_inside ? -1 : 1);
+        for (const polynomial_root<W>& root : roots) {
+            if (root.before != 0) reach(root.before);
+            // (About a tangent a piece that is shorter than the root of the noise, which is below 2^-16, is zero to
+            // both ends as well.)
+            if (root.before == 0 && root.after == 0 && bound_t<W>(high - low) > bound_t<W>(0x1p-16)) {
+                meet({low, bound_t<W>(0), 0, 0, root.height});
+                end = {high, bound_t<W>(0), 0, 0, root.height}, is_along = true;
+            } else {
+                meet(root);
+            }
+            if (root.after != 0) reach(root.after);
+        }
+    }
+
+    RAIO_FN constexpr void meet(const polynomial_root<W>& root) {
+        polynomial_root<W>& known = is_along ? end : begin;
+        if (is_open) {
+            known.error = max(known.error, bound_t<W>(root.t - known.t) + root.error);
+        } else {
+            known = root;
+        }
+        is_open = true;
+    }
+
+    RAIO_FN constexpr void reach(int next) {
+        if (is_open) {
+            // What lies in the surface belongs to the solid: it is entered where that begins, and left where it ends.
+            const polynomial_root<W>& last = is_along && next > 0 ? end : begin;
+            append(sign > 0 ? begin : last, sign > 0);
+            if (sign == next) append(last, sign < 0);
+            is_done = bound_t<W>(begin.t) - begin.error > wanted.from;
+        }
+        is_open = is_along = false, sign = next;
+    }
+
+    RAIO_FN constexpr void append(const polynomial_root<W>& root, bool entering) {
+        const crossing<W> c = part.at(root, entering);
+        list.append(c.t, c.error, entering);
+    }
+};
+
 /// What is missing of a crossing with the surface where f = 0. Of f along the line from c.t on only the constant term
 /// is needed in the precision of X.
 ///
