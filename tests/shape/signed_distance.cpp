@@ -159,4 +159,25 @@ TEST_CASE_TEMPLATE("signed distance: a walk ends, however short its steps", T, R
     CHECK(inside.intervals[0].max > T(-1));
 }
 
+TEST_CASE_TEMPLATE("signed distance: what grazes the tolerance is not left and entered again", T, RAIO_NUMBERS) {
+    // f of a ball where a ray is about to enter: now a little more than the tolerance, now a little less.
+    const ray<T> grazing{{-0x1.ad722cp+0f, -0x1.ceddd4p+1f, -0x1.dd18d4p+1f},
+                         {0x1.90814p-2f, 0x1.7edd88p-1f, 0x1.d46232p-1f}};
+    const aabb<T> box{vec3<T>(-2), vec3<T>(2)};
+    const ball<T> ball{{T(0.25), T(0.5), T(-0.25)}, 1};
+    CHECK(signed_distance{box, fine<T>, T(1), ball}.spans(grazing).count == 1);
+
+    // Less than twice the tolerance is no gap, more is one.
+    const T tolerance = fine<T>;
+    const aabb<T> thin{vec3<T>(0), vec3<T>(1, 1, 300 * tolerance)};
+    const auto crossed = [&](T highest) {
+        const auto waves = [=](const vec3<T>& p) {
+            return tolerance * (p.z > 100 * tolerance && p.z < 200 * tolerance ? highest : T(0.5));
+        };
+        return signed_distance{thin, tolerance, T(1), waves}.spans({vec3<T>(0.5, 0.5, -1), {0, 0, 1}}).count;
+    };
+    CHECK(crossed(T(1.9)) == 1);
+    CHECK(crossed(T(2.1)) == 2);
+}
+
 }  // namespace raio::test

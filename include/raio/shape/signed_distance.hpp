@@ -12,10 +12,10 @@ namespace raio {
 /// the line enters the box, whatever the window is, so that all questions about a line hear of the same crossings.
 ///
 /// This is not exact. A crossing is a t where |f| <= tolerance, f as it is computed for the rounded point: a ray that
-/// passes within the tolerance hits, what is thinner than that has two crossings in one place, and `error` is what the
-/// tolerance amounts to across the surface, by the slope of f there. It takes the more steps the less the tolerance is;
-/// that should be well above the rounding errors of f, which see whole numbers of 2^-24 of the box in float. After 2^20
-/// steps the walk ends as if it had left the box.
+/// passes within the tolerance hits, what is thinner than that has two crossings in one place, a gap in which f stays
+/// below twice the tolerance is none, and `error` is what the tolerance amounts to across the surface, by the slope of
+/// f there. It takes the more steps the less the tolerance is; that should be well above the rounding errors of f,
+/// which see whole numbers of 2^-24 of the box in float. After 2^20 steps the walk ends as if it had left the box.
 ///
 /// The normal is the slope of f, by differences over the third root of a roundoff of the box, where their error is
 /// least; where there is none, it points against the ray. uv is 0.
@@ -73,7 +73,7 @@ private:
             if (!inside && f <= tolerance) {
                 inside = true;
                 if (visit(t, true)) return true;
-            } else if (inside && f > tolerance) {
+            } else if (inside && f > T(2) * tolerance) {  // not where a rounding of f grazes the tolerance
                 inside = false;
                 if (visit(last, false)) return true;
             }
