@@ -52,6 +52,7 @@ SHAPES = {
     "refine.hpp": ["shape/sphere", "shape/triangle", "shape/cone"],
     "hit_record.hpp": ["shape/sphere"],
     "aabb.hpp": ["shape/disc"],
+    "polyhedron_faces.hpp": ["shape/convex_polyhedron"],
 }
 
 

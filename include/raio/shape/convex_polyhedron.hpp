@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include <raio/concepts.hpp>
@@ -8,16 +7,10 @@
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
 #include <raio/plane_crossing.hpp>
+#include <raio/polyhedron_faces.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {
-
-/// The points p with normal.p + offset <= 0: everything behind a plane.
-template <real T>
-struct half_space {
-    vec3<T> normal;  ///< outward, any length
-    T offset;        ///< minus the normal times any point of the plane
-};
 
 namespace detail {
 
@@ -75,22 +68,17 @@ struct convex_polyhedron {
     RAIO_FN constexpr aabb<T> bounds() const requires(std::same_as<mask_t<T>, bool>) {
         aabb<T> box;
         bool has_vertex = false;
-        for (std::size_t i = 0; i < std::size(planes); ++i) {
-            for (std::size_t j = 0; j < i; ++j) {
-                const auto [point, direction, s] = edge(i, j);
-                if (s.empty()) continue;
-                if (!is_finite(s.min) || !is_finite(s.max)) return unbounded<T>();
-                has_vertex = true;
-                box = hull(hull(box, vec3<T>(point + direction * s.min)), vec3<T>(point + direction * s.max));
-            }
-        }
-        return has_vertex ? padded(box) : unbounded<T>();
+        const bool ends = faces().for_each_edge([&](const vec3<exact>& from, const vec3<exact>& to) {
+            has_vertex = true;
+            box = hull(hull(box, vec3<T>(from)), vec3<T>(to));
+        });
+        return ends && has_vertex ? padded(box) : unbounded<T>();
     }
 
     /// Infinite for a polyhedron without end.
     RAIO_FN constexpr T area() const requires(std::same_as<mask_t<T>, bool>) {
         exact total(0);
-        const bool ends = for_each_triangle([&](const face_triangle& part) { total += part.area; });
+        const bool ends = faces().for_each_triangle([&](const face_triangle<T>& part) { total += part.area; });
         return ends ? T(total) : infinity<T>;
     }
 
@@ -98,8 +86,8 @@ struct convex_polyhedron {
     /// along u.x, the last one first; what is left of it within one, and u.y, choose the point.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::same_as<mask_t<T>, bool>) {
         exact total(0), left(u.x), one(1);
-        face_triangle chosen{};
-        for_each_triangle([&](const face_triangle& part) {
+        face_triangle<T> chosen{};
+        faces().for_each_triangle([&](const face_triangle<T>& part) {
             if (!(part.area > exact(0))) return;
             total += part.area;
             const exact share = part.area / total;
@@ -159,6 +147,8 @@ struct convex_polyhedron {
 private:
     using exact = exact_t<T>;
 
+    RAIO_FN constexpr polyhedron_faces<T, Planes> faces() const { return {planes}; }
+
     /// Of the lanes of a pack each may have met another face.
     template <class Index>
     RAIO_FN constexpr half_space<T> plane_of(const Index& face) const {
@@ -174,112 +164,6 @@ private:
             }
             return met;
         }
-    }
-
-    /// The line in which two planes meet, and the part of it that belongs to the polyhedron.
-    struct edge_line {
-        vec3<exact> point, direction;
-        interval<exact> s;
-    };
-
-    RAIO_FN constexpr edge_line edge(std::size_t i, std::size_t j) const {
-        exact none(0), tiny(1024 * unit_roundoff<exact>);
-        const vec3<exact> a(planes[i].normal), b(planes[j].normal), direction = cross(a, b);
-        exact length2 = dot(direction, direction);
-        if (!(length2 > tiny * dot(a, a) * dot(b, b))) return {direction, direction, {}};  // parallel planes
-
-        const vec3<exact> point =
-            (cross(direction, b) * exact(planes[i].offset) - cross(direction, a) * exact(planes[j].offset)) / length2;
-        interval<exact> s{-infinity<exact>, infinity<exact>};
-        for (std::size_t k = 0; k < std::size(planes); ++k) {
-            if (k == i || k == j) continue;
-            const vec3<exact> n(planes[k].normal);
-            exact height = dot(n, point) + exact(planes[k].offset), speed = dot(n, direction);
-            exact slack = tiny * (dot(abs(n), abs(point)) + abs(exact(planes[k].offset)));
-            if (!(abs(speed) > tiny * dot(abs(n), abs(direction)))) {  // or numbers out of range
-                if (height > slack) return {point, direction, {}};
-            } else if (speed > none) {
-                s.max = min(s.max, (slack - height) / speed);
-            } else {
-                s.min = max(s.min, (slack - height) / speed);
-            }
-        }
-        return {point, direction, s};
-    }
-
-    /// Whichever of its sides is inside.
-    RAIO_FN constexpr bool is_same_plane(std::size_t i, std::size_t k) const {
-        const vec3<exact> n(planes[i].normal), m(planes[k].normal), turn = cross(n, m);
-        const vec3<exact> apart = n * exact(planes[k].offset) - m * exact(planes[i].offset);
-        return dot(turn, turn) == exact(0) && dot(apart, apart) == exact(0);
-    }
-    RAIO_FN constexpr bool repeats_an_earlier_plane(std::size_t i) const {
-        const vec3<exact> n(planes[i].normal);
-        for (std::size_t k = 0; k < i; ++k) {
-            if (dot(n, vec3<exact>(planes[k].normal)) > exact(0) && is_same_plane(i, k)) return true;
-        }
-        return false;
-    }
-
-    RAIO_FN constexpr bool touches(std::size_t k, const vec3<exact>& p) const {
-        const vec3<exact> n(planes[k].normal);
-        exact offset(planes[k].offset), slack(0x1p20 * unit_roundoff<exact>);
-        return abs(dot(n, p) + offset) <= slack * (dot(abs(n), abs(p)) + abs(offset));
-    }
-
-    /// Is all of plane i a face, without an edge: does it lie behind all others, which run parallel to it?
-    RAIO_FN constexpr bool is_face_without_end(std::size_t i) const {
-        const exact none(0), tiny(1024 * unit_roundoff<exact>);
-        const vec3<exact> n(planes[i].normal);
-        exact length2 = dot(n, n);
-        if (!(length2 > none)) return false;
-        const vec3<exact> foot = n * (-exact(planes[i].offset) / length2);
-        for (std::size_t k = 0; k < std::size(planes); ++k) {
-            const vec3<exact> m(planes[k].normal), turn = cross(n, m);
-            if (dot(turn, turn) > tiny * length2 * dot(m, m)) return false;
-            if (dot(m, foot) + exact(planes[k].offset) > none && !touches(k, foot)) return false;
-        }
-        return true;
-    }
-
-    /// A part of a face, whose normal it has.
-    struct face_triangle {
-        vec3<exact> a, b, c;
-        exact area;
-        vec3<T> normal;
-    };
-
-    /// Calls `visit` with the triangles between the edges of face i and the first corner that is met. Answers whether
-    /// the face has an end.
-    template <class Visit>
-    RAIO_FN constexpr bool for_each_triangle_of(std::size_t i, Visit visit) const {
-        bool started = false;
-        vec3<exact> corner(exact(0));
-        for (std::size_t j = 0; j < std::size(planes); ++j) {
-            if (j == i) continue;
-            const auto [point, direction, s] = edge(i, j);
-            if (s.empty()) continue;
-            if (!is_finite(s.min) || !is_finite(s.max)) return false;
-            const vec3<exact> from = point + direction * s.min, to = point + direction * s.max;
-            bool seen = false;  // an edge that more than two planes go through counts once
-            for (std::size_t k = 0; k < j; ++k) {
-                seen = seen || (!is_same_plane(i, k) && touches(k, from) && touches(k, to));
-            }
-            if (seen) continue;
-            if (!started) corner = from;
-            started = true;
-            const vec3<exact> twice_area = cross(from - corner, to - corner);
-            visit(face_triangle{corner, from, to, sqrt(dot(twice_area, twice_area)) / exact(2), planes[i].normal});
-        }
-        return !is_face_without_end(i);
-    }
-    template <class Visit>
-    RAIO_FN constexpr bool for_each_triangle(Visit visit) const {
-        bool ends = true;
-        for (std::size_t i = 0; i < std::size(planes); ++i) {
-            if (!repeats_an_earlier_plane(i)) ends = for_each_triangle_of(i, visit) && ends;
-        }
-        return ends;
     }
 
     /// The part of a line that is behind one plane: from its crossing on, up to it, or all or nothing if it runs

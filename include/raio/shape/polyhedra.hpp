@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <raio/shape/convex_polyhedron.hpp>
 
 /// \file
