@@ -76,6 +76,7 @@ void check_beside(const signed_distance<T, Function>& shape, const Exact& exact,
         REQUIRE(dot(rec.normal, ray.direction) <= T(1e-6) * length(ray.direction));
         REQUIRE((shape.hit(ray, rec.t, rec.t, again) && again.t == rec.t));
         REQUIRE_FALSE(shape.hit(ray, T(0), std::nextafter(rec.t, T(-1)), again));
+        REQUIRE(shape.occluded(ray, rec.t, rec.t));
         // The crossing of the exact surface is within the error, along the normal.
         const vec3<T> outward = rec.front_face ? rec.normal : -rec.normal;
         REQUIRE(shape.distance(rec.point + outward * rec.error) > T(0));
@@ -177,7 +178,48 @@ TEST_CASE_TEMPLATE("signed distance: what grazes the tolerance is not left and e
         return signed_distance{thin, tolerance, T(1), waves}.spans({vec3<T>(0.5, 0.5, -1), {0, 0, 1}}).count;
     };
     CHECK(crossed(T(1.9)) == 1);
+    CHECK(crossed(T(2)) == 1);
     CHECK(crossed(T(2.1)) == 2);
+}
+
+TEST_CASE_TEMPLATE("signed distance: what lies at the tolerance, or at the end of the box, belongs to it", T,
+                   RAIO_NUMBERS) {
+    const T tolerance = fine<T>;
+    const ray<T> up{{T(0.5), T(0.5), -1}, {0, 0, 1}};
+    const aabb<T> cube{vec3<T>(0), vec3<T>(1)};
+
+    // At the tolerance up to a height, and far outside beyond it.
+    const T height = 100 * tolerance;
+    const auto step = [=](const vec3<T>& p) { return p.z <= height ? tolerance : T(1); };
+    const auto inside = signed_distance{cube, tolerance, T(1), step}.spans(up);
+    REQUIRE(inside.count == 1);
+    CHECK(inside.begin()->min == 1);
+    CHECK(inside.begin()->max == doctest::Approx(double(1 + height)).epsilon(2 * double(tolerance)));
+
+    // All but at the tolerance where the box ends, as it was not on the way.
+    const auto rising = [=](const vec3<T>& p) { return p.z - 1 + tolerance / 2; };
+    const auto to_the_end = signed_distance{cube, tolerance, T(1), rising}.spans(up);
+    REQUIRE(to_the_end.count == 1);
+    CHECK(to_the_end.begin()->max == 2);
+    const auto ending = [=](const vec3<T>& p) { return p.z < 1 ? T(-0.6) : tolerance; };
+    CHECK(signed_distance{cube, tolerance, T(1), ending}.spans(up).begin()->max == 2);
+
+    // A box without a height.
+    const ball<T> ball{{0, 0, 0}, 1};
+    const signed_distance flat{aabb<T>{{-1, -1, 0}, {1, 1, 0}}, tolerance, T(1), ball};
+    hit_record<T> rec;
+    REQUIRE(flat.hit(up, T(0), infinity<T>, rec));
+    CHECK(rec.t == 1);
+
+    // Where the box is entered deep inside, f rises along the ray: the normal is mirrored. Where f is flat, there is
+    // none.
+    REQUIRE(signed_distance{cube, tolerance, T(1), rising}.hit(up, T(0), infinity<T>, rec));
+    CHECK(rec.t == 1);
+    CHECK(length(vec3<T>(rec.normal - vec3<T>(0, 0, -1))) < T(1e-5));
+    const auto level = [](const vec3<T>&) { return T(-1); };
+    REQUIRE(signed_distance{cube, tolerance, T(1), level}.hit(up, T(0), infinity<T>, rec));
+    CHECK(rec.normal == vec3<T>(0, 0, -1));
+    CHECK_FALSE(signed_distance{cube, tolerance, T(0), level}.hit(up, T(0), infinity<T>, rec));
 }
 
 }  // namespace raio::test

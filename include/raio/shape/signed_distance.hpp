@@ -11,11 +11,12 @@ namespace raio {
 /// point of the surface is nearer than |f| / lipschitz, and so far the ray may go in one step. The walk begins where
 /// the line enters the box, whatever the window is, so that all questions about a line hear of the same crossings.
 ///
-/// This is not exact. A crossing is a t where |f| <= tolerance, f as it is computed for the rounded point: a ray that
-/// passes within the tolerance hits, what is thinner than that has two crossings in one place, a gap in which f stays
-/// below twice the tolerance is none, and `error` is what the tolerance amounts to across the surface, by the slope of
-/// f there. It takes the more steps the less the tolerance is; that should be well above the rounding errors of f,
-/// which see whole numbers of 2^-24 of the box in float. After 2^20 steps the walk ends as if it had left the box.
+/// This is not exact. A crossing is an end of the box, or a t where |f| <= tolerance, f as it is computed for the
+/// rounded point: a ray that passes within the tolerance hits, what is thinner than that has two crossings in one
+/// place, a gap in which f stays below twice the tolerance is none, and `error` is what the tolerance amounts to across
+/// the surface, by the slope of f there. It takes the more steps the less the tolerance is; that should be well above
+/// the rounding errors of f, which see whole numbers of 2^-24 of the box in float. After 2^20 steps the walk ends as if
+/// it had left the box.
 ///
 /// The normal is the slope of f, by differences over the third root of a roundoff of the box, where their error is
 /// least; where there is none, it points against the ray. uv is 0.
@@ -64,27 +65,26 @@ private:
         const T speed = length(ray.direction) * lipschitz;
         if (inside_box.empty() || !(tolerance > T(0) && speed > T(0) && is_finite(speed))) return false;
 
+        const auto f_at = [&](T t) { return distance(ray.origin + ray.direction * t); };
         bool inside = false;
         T last = inside_box.min;  // where f was last within the tolerance
         T t = inside_box.min;
         for (int step = 0; t <= inside_box.max && step < 1 << 20; ++step) {
-            const T f = distance(ray.origin + ray.direction * t);
+            const T f = f_at(t);
             if (!is_finite(f)) return false;
-            if (!inside && f <= tolerance) {
+            if (f <= tolerance) {
+                last = t;
+                if (!inside && visit(t, true)) return true;
                 inside = true;
-                if (visit(t, true)) return true;
             } else if (inside && f > T(2) * tolerance) {  // not where a rounding of f grazes the tolerance
-                inside = false;
                 if (visit(last, false)) return true;
+                inside = false;
             }
-            if (abs(f) <= tolerance) last = t;
             // Within the tolerance the next step is that long, which is too short to pass it by.
             t = max(t + max(abs(f), tolerance) / speed, outward(t, T(1)));
         }
-        return inside && visit(is_inside_at(ray, inside_box.max) ? inside_box.max : last, false);
+        return inside && visit(f_at(inside_box.max) <= tolerance ? inside_box.max : last, false);
     }
-
-    bool is_inside_at(const ray<T>& ray, T t) const { return distance(ray.origin + ray.direction * t) < -tolerance; }
 
     void record(const ray<T>& ray, T t, bool entering, hit_record<T>& rec) const {
         record_point_between({box.min, box.max}, ray, crossing<T>{true, true, t, T(0), entering}, rec);
