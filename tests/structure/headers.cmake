@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 set(floors
     "config\\.hpp"
     "math/.*"
-    "(ray|aabb|hit_record|surface_sample|refine|record|window|settle|settle_lanes|lanes|chord|[a-z_]*crossing(_list)?)\\.hpp"
+    "(ray|aabb|hit_record|surface_sample|refine|record|window|settle|settle_lanes|lanes|chord|polyhedron_faces|[a-z_]*crossing(_list)?)\\.hpp"
     "concepts\\.hpp"
     "shape/.*"
     "compose/.*"
