@@ -110,13 +110,10 @@ struct bezier_curve {
         constexpr double in_w = 64 * unit_roundoff<W>;
         const E end = abs(E(c.u)) + E(c.v), speed = norm1(vec3<E>(ray.direction));
         const auto [p, p_error] = ray.seen_from(p0);
-        const cubic_near<W> r(radii<W>(), c.u, end);
-        W h = r.value * r.slope, h_u = r.slope * r.slope + r.value * r.bend;
+        const sphere_near<W> at = sphere_at(vec3<W>(p), c.u, end);
+        const cubic_near<W>& r = at.radius;
         E fastest(0), most_bend(0), most_twist(0), far = norm1(vec3<E>(p)) + speed * c.error;
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            const cubic_near<W> center(coordinate<W>(axis), c.u, end);
-            const W b = W(p[axis]) - center.value;
-            h += b * center.slope, h_u += b * center.bend - center.slope * center.slope;
+        for (const cubic_near<W>& center : at.center) {
             fastest += center.fastest, most_bend += center.most_bend, most_twist += center.most_twist;
             far += center.most;
         }
@@ -125,7 +122,7 @@ struct bezier_curve {
         const E most_slope = far * most_bend + fastest * fastest + r.fastest * r.fastest + r.most * r.most_bend;
         const E most_change =
             far * most_twist + E(3) * (fastest * most_bend + r.fastest * r.most_bend) + r.most * r.most_twist;
-        const W further = max(-c.v, min(c.v, -quotient(h, h_u, W(0))));
+        const W further = at.further(c.v);
 
         const X u = X(c.u) + X(further);
         vec3<X> b = p, ahead;
@@ -150,7 +147,7 @@ struct bezier_curve {
         for (int i = 0; i < 3; ++i) {
             const E step = speed * reach;
             const E least =
-                abs(E(h_u)) - (off + abs(E(further))) * most_change - step * most_bend - E(in_w) * most_slope;
+                abs(E(at.h_u)) - (off + abs(E(further))) * most_change - step * most_bend - E(in_w) * most_slope;
             if (least > E(0)) off = min(off, (h_error + step * fastest) / least);
             missing = newton_step(level, level_error + off * off * most_slope, slope,
                                   speed * (E(2) * step + E(16 * unit_roundoff<W>) * size));
@@ -159,15 +156,17 @@ struct bezier_curve {
         }
         // The normal depends on all digits of u.
         const W still = h_there + dot(vec3<W>(ahead), ray.direction) * missing.t;
-        if (c.v > W(0)) missing.u = further - quotient(still, h_u, W(0));
+        if (c.v > W(0)) missing.u = further - quotient(still, at.h_u, W(0));
         return if_to_all_digits(missing, ray);
     }
 
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
-        const W u = c.u;
+        W u = c.u;
         vec3<W> from_center = seen_from(p0, ray, c.t), ahead(W(0));
+        // The normal depends on more digits of u than t does.
+        if constexpr (!last_precision<W>) u += sphere_at(from_center, u, bound_t<W>(0)).further(c.v);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const polynomial<W, 3> center = coordinate<W>(axis);
             from_center[axis] -= center(u), ahead[axis] = center.derivative()(u);
@@ -215,6 +214,12 @@ private:
         /// From the least t of a stretch of the curve to the greatest.
         RAIO_FN constexpr chord<W> extent(const line_part<W>& part, const end_of_stretch<W>& from,
                                           const end_of_stretch<W>& to) const {
+            // What cannot be told from a point is where that is known best: an end of the curve is known exactly.
+            const W length = to.u - from.u;
+            if (E(length) <= E(2) * max(from.error, to.error)) {
+                const W middle = from.u + length * W(0.5);
+                return at(part, from.error < to.error ? from.u : to.error < from.error ? to.u : middle, E(length));
+            }
             chord<W> c = unite(at(part, from.u, from.error), at(part, to.u, to.error));
             const polynomial<W, 2> twice = b_slope + b_slope;
             const auto turns = product<10>(beyond, product<4>(twice, twice)) + product<10>(beyond_slope, beyond_slope);
@@ -249,6 +254,34 @@ private:
             return {end(middle - root, true), end(middle + root, false)};
         }
     };
+
+    /// The sphere of u, and what a point p makes of it: h, as in `correction`, and its slope h_u.
+    template <class W>
+    struct sphere_near {
+        std::array<cubic_near<W>, 3> center;
+        cubic_near<W> radius;
+        W h, h_u;
+
+        /// How far on the sphere is of which h is 0: one step of Newton's method, if it is no longer than that.
+        RAIO_FN constexpr W further(const W& longest) const {
+            return max(-longest, min(longest, -quotient(h, h_u, W(0))));
+        }
+    };
+
+    /// \param p    as seen from p0
+    /// \param end  how far along the curve bounds are wanted
+    template <class W>
+    RAIO_FN constexpr sphere_near<W> sphere_at(const vec3<W>& p, const W& u, const bound_t<W>& end) const {
+        const auto center = [&](glm::length_t axis) { return cubic_near<W>(coordinate<W>(axis), u, end); };
+        const cubic_near<W> r(radii<W>(), u, end);
+        sphere_near<W> s{{center(0), center(1), center(2)}, r, r.value * r.slope, r.slope * r.slope + r.value * r.bend};
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const cubic_near<W>& c = s.center[static_cast<std::size_t>(axis)];
+            const W b = p[axis] - c.value;
+            s.h += b * c.slope, s.h_u += b * c.bend - c.slope * c.slope;
+        }
+        return s;
+    }
 
     RAIO_FN constexpr bool is_sound() const {
         const T least = min(min(r0, r1), min(r2, r3)), most = max(max(r0, r1), max(r2, r3));
