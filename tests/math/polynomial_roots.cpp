@@ -172,6 +172,22 @@ TEST_CASE("polynomial_roots: a turn that is hardly known is as high as it may be
     }
 }
 
+TEST_CASE_TEMPLATE("polynomial_roots: a turn where a root is looked for is no root", W, strict_double, double_double,
+                   oracle) {
+    // The first of them turns at 1/4, where Halley's step is 0, and the other one at 1.
+    const std::array<polynomial<W, 6>, 2> turning{polynomial<W, 6>{{4, -60, 309, -802, 1122, -798, 228}, {}},
+                                                  polynomial<W, 6>{{20, -72, 84, -32, 108, -240, 128}, {}}};
+    for (const polynomial<W, 6>& p : turning) {
+        const auto roots = roots_between(p, W(0), W(1));
+        CHECK(roots.certain);
+        CHECK(roots.count > 0);
+        for (const polynomial_root<W>& root : roots) {
+            CHECK(root.error < bound_t<W>(1e-11));
+            CHECK(p(root.t - W(root.error)) * p(root.t + W(root.error)) < W(0));
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("polynomial_roots: only the first root beyond a place", W, strict_double, double_double, oracle) {
     using E = bound_t<W>;
     const auto p = with_roots<W, 4>(1, {-3, -1, 2, 7});

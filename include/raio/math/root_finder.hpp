@@ -236,7 +236,9 @@ private:
             W next = t - W(off);
             E last_step = step;
             step = abs(off);
-            const bool good = every(ends[0] <= next, next <= ends[1], step <= E(0.5) * last_step);
+            // (Where the slope is all but zero and the value is not, a short step says nothing.)
+            const bool good = every(ends[0] <= next, next <= ends[1], step <= E(0.5) * last_step,
+                                    abs(height * bend) <= slope * slope);
             t = good ? next : ends[0] + (ends[1] - ends[0]) * W(0.5);
             if (!good) step = E(abs(ends[1] - ends[0]));
             if (!(step > (good ? tolerance : E(unit_roundoff<W>)) * E(abs(t)))) break;
