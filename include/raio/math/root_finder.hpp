@@ -236,7 +236,8 @@ private:
             W next = t - W(off);
             E last_step = step;
             step = abs(off);
-            // (Where the slope is all but zero and the value is not, a short step says nothing.)
+            // (At a root of any order |f f''| / 2 is at most half of f'^2. Where it is more than twice that, the slope
+            // is all but zero and the value is not: a short step says nothing.)
             const bool good = every(ends[0] <= next, next <= ends[1], step <= E(0.5) * last_step,
                                     abs(height * bend) <= slope * slope);
             t = good ? next : ends[0] + (ends[1] - ends[0]) * W(0.5);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <raio/algebraic_crossing.hpp>
 #include <raio/concepts.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/bezier.hpp>
 #include <raio/math/frame.hpp>
+#include <raio/swept_crossing.hpp>
 
 namespace raio {
 
@@ -61,19 +61,19 @@ struct bezier_curve {
         list.certain = part.certain;
         if (!part.exists) return list;
 
-        const sweep<W> swept = sweep_along(part, W(1) / size);
+        const detail::sweep<W> swept = sweep_along(part, W(1) / size);
         const auto [roots, begins_inside] = find_roots(swept.beyond, W(0), W(1));
         list.certain = roots.certain;
         std::array<chord<W>, 7> chords{};
         std::size_t count = 0;
-        const auto add = [&](const end_of_stretch<W>& from, const end_of_stretch<W>& to) {
+        const auto add = [&](const detail::end_of_stretch<W>& from, const detail::end_of_stretch<W>& to) {
             // In order of where the line enters.
             chord<W> next = swept.extent(part, from, to);
             std::size_t i = count++;
             for (; i > 0 && next.near.t < chords[i - 1].near.t; --i) chords[i] = chords[i - 1];
             chords[i] = next;
         };
-        end_of_stretch<W> from{W(0), bound_t<W>(0)};
+        detail::end_of_stretch<W> from{W(0), bound_t<W>(0)};
         bool within = begins_inside;
         for (const polynomial_root<W>& root : roots) {
             const bool goes_on = root.after <= 0;
@@ -193,68 +193,6 @@ private:
         return hull(hull(around(p0, r0), around(p1, r1)), hull(around(p2, r2), around(p3, r3)));
     }
 
-    /// A place of the curve where s begins or ends to be above zero, and how far that may be off.
-    template <class W>
-    struct end_of_stretch {
-        W u;
-        bound_t<W> error;
-    };
-
-    /// b and s along the curve, for a part of the line.
-    template <class W>
-    struct sweep {
-        using E = bound_t<W>;
-
-        W a;
-        polynomial<W, 3> b;
-        polynomial<W, 6> beyond;  ///< -s
-        polynomial<W, 2> b_slope = b.derivative();
-        polynomial<W, 5> beyond_slope = beyond.derivative();
-
-        /// From the least t of a stretch of the curve to the greatest.
-        RAIO_FN constexpr chord<W> extent(const line_part<W>& part, const end_of_stretch<W>& from,
-                                          const end_of_stretch<W>& to) const {
-            // What cannot be told from a point is where that is known best: an end of the curve is known exactly.
-            const W length = to.u - from.u;
-            if (E(length) <= E(2) * max(from.error, to.error)) {
-                const W middle = from.u + length * W(0.5);
-                return at(part, from.error < to.error ? from.u : to.error < from.error ? to.u : middle, E(length));
-            }
-            chord<W> c = unite(at(part, from.u, from.error), at(part, to.u, to.error));
-            const polynomial<W, 2> twice = b_slope + b_slope;
-            const auto turns = product<10>(beyond, product<4>(twice, twice)) + product<10>(beyond_slope, beyond_slope);
-            for (const polynomial_root<W>& root : roots_between(turns, from.u, to.u)) {
-                c = unite(c, at(part, root.t, root.error));
-            }
-            return c;
-        }
-
-        /// Where the line goes into the sphere of u and out of it; of the greatest and the least t, that are no farther
-        /// away than `off`, they are off by no more than the error.
-        RAIO_FN constexpr chord<W> at(const line_part<W>& part, const W& u, const E& off) const {
-            W height = -beyond(u), middle = b(u);
-            E place = abs(E(u)) + off, noise = beyond.noise()(place), b_noise = b.noise()(place);
-            W root = E(height) > noise ? sqrt(height) : W(0);
-            // How fast b and s change within `off`, and how fast that changes.
-            E b_bend = b_slope.derivative().magnitude(place), s_bend = beyond_slope.derivative().magnitude(place);
-            E b_rise = abs(E(b_slope(u))) + b_slope.noise()(place) + off * b_bend;
-            E s_rise = abs(E(beyond_slope(u))) + beyond_slope.noise()(place) + off * s_bend;
-            E least = E(height) - noise - off * s_rise, most = abs(E(height)) + noise + off * s_rise;
-            E error = off * b_rise + E(2) * sqrt(most);
-            if (least > E(0)) {
-                E low = sqrt(least), bend = b_bend + s_bend / (E(2) * low) + s_rise * s_rise / (E(4) * low * least);
-                error = min(error, off * off * bend + noise / low);
-            }
-            error += b_noise + E(32 * unit_roundoff<W>) * (abs(E(middle)) + E(root));
-            const auto end = [&](const W& sum, bool entering) {
-                crossing<W> c = part.at({sum / a, error / E(a), 0, 0, E(0)}, entering);
-                c.u = u, c.v = W(off + off);
-                return c;
-            };
-            return {end(middle - root, true), end(middle + root, false)};
-        }
-    };
-
     /// The sphere of u, and what a point p makes of it: h, as in `correction`, and its slope h_u.
     template <class W>
     struct sphere_near {
@@ -302,7 +240,7 @@ private:
 
     /// \param over_size  1 over the unit of length
     template <class W>
-    RAIO_FN constexpr sweep<W> sweep_along(const line_part<W>& part, const W& over_size) const {
+    RAIO_FN constexpr detail::sweep<W> sweep_along(const line_part<W>& part, const W& over_size) const {
         const auto unit = constant(over_size, 2);
         std::array<polynomial<W, 3>, 3> to_center;
         std::array<polynomial<W, 0>, 3> along;
