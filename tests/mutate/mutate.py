@@ -53,6 +53,7 @@ SHAPES = {
     "hit_record.hpp": ["shape/sphere"],
     "aabb.hpp": ["shape/disc"],
     "polyhedron_faces.hpp": ["shape/convex_polyhedron"],
+    "swept_crossing.hpp": ["shape/bezier_curve"],
 }
 
 
