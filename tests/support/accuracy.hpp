@@ -93,6 +93,39 @@ oracle stated_error(const probe<Shape>& p, number_t<Shape> t) {
     return error;
 }
 
+/// How far the recorded normal is from that of the crossing, beyond four roundings and what the normal changes within
+/// the error of the point: so far the ray may be moved, and the crossing along it; of one that moves farther it is a
+/// part. Beside an edge it is that of another face. (Of a crossing of which 75 digits are not certain, as one of the
+/// edge of a box without thickness, it may be any.)
+template <class Shape>
+double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec, const crossing<oracle>& crossing) {
+    using T = number_t<Shape>;
+    const auto shape = converted<oracle>(p.shape);
+    const ray<oracle> exact_ray{exactly(p.ray.origin), exactly(p.ray.direction)};
+    const auto normal_at = [&](const ray<oracle>& ray, const raio::crossing<oracle>& c) {
+        hit_record<oracle> exact;
+        shape.surface(ray, c, exact);
+        return exact.normal;
+    };
+    const vec3<oracle> normal = normal_at(exact_ray, crossing), error(rec.error);
+    const double off = rounded<double>(length(normal - vec3<oracle>(rec.normal))) - 4 * unit_roundoff<T>;
+    if (!(off > 0) || !crossing.certain) return 0;
+    double explained = 0;
+    for (int i = 0; i < 27; ++i) {
+        ray<oracle> moved = exact_ray;
+        moved.origin += error * vec3<oracle>(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        std::vector crossings = all_crossings<oracle>(shape, moved);
+        crossings.push_back(crossing);
+        for (const raio::crossing<oracle>& c : crossings) {
+            if (!c.exists) continue;
+            const oracle apart = abs(c.t - crossing.t) * norm1(moved.direction), near = 8 * norm1(error);
+            const oracle change = length(normal_at(moved, c) - normal) * (apart > near ? near / apart : oracle(1));
+            explained = std::max(explained, rounded<double>(change));
+        }
+    }
+    return std::max(off - explained, 0.0);
+}
+
 /// What is wrong with the record of a hit, if it is of this crossing. The error of a double's t may be larger than half
 /// an ulp by as much as double_double says.
 template <class Shape>
@@ -115,7 +148,8 @@ std::string difference(const probe<Shape>& p, const hit_record<number_t<Shape>>&
             return "point off by " + literal(rounded<T>(off)) + ", " + literal(rec);
         }
     }
-    return "";
+    const double turned = normal_off(p, rec, crossing);
+    return turned > 0 ? "normal off by " + literal(turned) + ", " + literal(rec) : "";
 }
 
 /// What is wrong with the answer to one probe: `hit` has to find the first crossing whose t, correctly rounded, lies in

@@ -152,19 +152,23 @@ struct torus {
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
-        vec3<W> from_center = seen_from(center, ray, c.t);
-        const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
-        vec3<Q> p = f.to_local(vec3<Q>(from_center));
-        Q rho = sqrt(p.x * p.x + p.y * p.y), beyond = rho - Q(major_radius);
+        vec3<W> p = seen_from(center, ray, c.t), a(axis);
+        W height = dot(p, a) / dot(a, a), major(major_radius);  // in lengths of the axis
+        vec3<W> up = a * height, beside = p - up;
+        W rho2 = dot(beside, beside);
+        // rho - R, of which a slender tube leaves few digits.
+        Q rho = sqrt(Q(rho2)), beyond = Q(rho2 - major * major) / (rho + Q(major));
         // Where the tube meets itself on the axis, or as close to it as can be told, it is seen along the axis, against
         // the ray.
-        vec3<Q> from_circle(p.x * beyond, p.y * beyond, p.z * rho);  // times rho
+        const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(a)));
         const bool nowhere = rho <= Q(c.error) * norm1(vec3<Q>(ray.direction));
-        const Q along = copysign(Q(1), dot(f.z, vec3<Q>(vec3<W>(ray.direction)))), up = c.entering ? -along : along;
-        vec3<N> outward(f.to_world(nowhere ? vec3<Q>(Q(0), Q(0), up) : normalize_from<T>(from_circle)));
+        const bool along = (dot(f.z, vec3<Q>(vec3<W>(ray.direction))) > Q(0)) == !c.entering;
+        vec3<Q> from_circle = vec3<Q>(beside) * beyond + vec3<Q>(up) * rho;  // times rho
+        vec3<N> outward(nowhere ? f.z * Q(along ? 1 : -1) : normalize_from<T>(from_circle));
         record_point(ray, c, rec, major_radius + minor_radius);
         rec.normal = outward * select(c.entering, N(1), N(-1));
-        rec.uv = {turns(T(p.y), T(p.x)), turns(T(p.z), T(beyond))};
+        rec.uv = {turns(T(dot(vec3<Q>(beside), f.y)), T(dot(vec3<Q>(beside), f.x))),
+                  turns(T(dot(vec3<Q>(up), f.z)), T(beyond))};
     }
 
 private:
