@@ -333,27 +333,28 @@ std::string inexact_image(const probe<posed<P>>& p, int& hits, int& grazing) {
     const oracle ulp(std::nextafter(std::abs(rec.t), infinity<T>) - std::abs(rec.t));
     const listener<T> ear{};
     transformed(&ear, p.shape.map).occluded(p.ray, p.t_min, p.t_max);
-    const std::vector computed = all_crossings<double_double>(p.shape.shape, detail::rounded<T>(ear.heard));
+    const std::vector computed = all_crossings<double_double>(p.shape.shape, ear.heard);
     const std::vector crossings = all_crossings<oracle>(shape, back);
-    const oracle bound(std::same_as<T, float> ? 0x1p-48 : 0x1p-96);
-    // How far the rounded ray may stray on the way to t.
-    const auto off_ray = [&](const oracle& t) {
-        const vec3<oracle> path = abs(from) + abs(along * t);
+    // How far the rounded ray may stray: by its own roundings, and those of the determinant.
+    const vec3<oracle> x = abs(map.x), y = abs(map.y), z = abs(map.z);
+    const oracle bound = std::same_as<T, float>
+                             ? oracle(0x1p-48)
+                             : 0x1p-96 + 0x1p-102 * permanent(x, y, z) / abs(dot(map.x, cross(map.y, map.z)));
+    const auto straying = [&](const vec3<oracle>& path) {
         return vec3<oracle>(dot(abs(inverse.x), path), dot(abs(inverse.y), path), dot(abs(inverse.z), path)) * bound;
     };
+    const auto off_ray = [&](const oracle& t) { return straying(abs(from) + abs(along * t)); };
+    const ray<oracle> heard{exactly(ear.heard.origin), exactly(ear.heard.direction)};
+    const auto exceeds = [](const vec3<oracle>& by, const vec3<oracle>& at_most) {
+        return abs(by.x) > at_most.x || abs(by.y) > at_most.y || abs(by.z) > at_most.z;
+    };
+    if (exceeds(heard.origin - back.origin, straying(abs(from))) ||
+        exceeds(heard.direction - back.direction, straying(abs(along))))
+        return "mapped back with too large an error";
     const auto exists = [](const crossing<oracle>& c) { return c.exists; };
-    if (std::ranges::none_of(crossings, exists)) {  // then it strays over an edge
-        const vec3<oracle> off = off_ray(oracle(rec.t));
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            for (const int side : {-1, 1}) {
-                ray<oracle> beside = back;
-                beside.origin[axis] += off[axis] * side;
-                if (std::ranges::any_of(all_crossings<oracle>(shape, beside), exists)) {
-                    ++grazing;
-                    return "";
-                }
-            }
-        }
+    if (std::ranges::none_of(crossings, exists) && std::ranges::any_of(all_crossings<oracle>(shape, heard), exists)) {
+        ++grazing;  // it strays over an edge
+        return "";
     }
     std::string wrong = "false hit";
     for (std::size_t i = 0; i < crossings.size(); ++i) {
