@@ -32,13 +32,13 @@ struct lone_segment {
     detail::revolved_piece<T, 1> piece() const {
         return {base, axis, {from_radius, from_height}, {to_radius, to_height}};
     }
-    surface_of_revolution<T> surface() const {
+    surface_of_revolution<T> whole() const {
         return {base, axis, {{from_radius, from_height}, {to_radius, to_height}}};
     }
     bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
-        return surface().hit(ray, t_min, t_max, rec);
+        return whole().hit(ray, t_min, t_max, rec);
     }
-    bool occluded(const ray<T>& ray, T t_min, T t_max) const { return surface().occluded(ray, t_min, t_max); }
+    bool occluded(const ray<T>& ray, T t_min, T t_max) const { return whole().occluded(ray, t_min, t_max); }
     template <class W, real R>
     auto crossings(const ray<R>& ray) const {
         if constexpr (std::same_as<T, oracle>) {
@@ -50,6 +50,10 @@ struct lone_segment {
     template <class X, class W>
     crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
         return piece().correction(ray, c);
+    }
+    template <class W, real R>
+    void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T>& rec) const {
+        piece().surface(ray, c, rec);
     }
 };
 
