@@ -100,6 +100,7 @@ struct subject<bezier_curve<T>> {
         }
         return least;
     }
+    static constexpr bool touching_parts_are_one = true;
     static bezier_curve<oracle> grown(bezier_curve<oracle> s) {
         for (oracle* r : {&s.r0, &s.r1, &s.r2, &s.r3}) *r *= 1 + oracle(1e-40);
         return s;

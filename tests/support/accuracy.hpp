@@ -32,8 +32,9 @@ std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<R>& ray) {
 
 /// The crossings in 75 digits. Where a ray meets the very edge of a closed shape, 75 digits decide no better than any
 /// others, and say that they are not certain: it is crossed, then, if it is as soon as it is larger by 1e-40 or less,
-/// and parts that touch are one. That moves a tangent's t by up to the root of it, so rims are farther out by that.
-/// `error` says how far t may be off; of all others it is what 75 digits leave open, which matters where t is 0.
+/// and parts that touch are one then, if the shape unites them. That moves a tangent's t by up to the root of it, so
+/// rims are farther out by that. `error` says how far t may be off; of all others it is what 75 digits leave open,
+/// which matters where t is 0.
 template <class Shape, class R>
 std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<R>& ray) {
     const auto exact_shape = converted<oracle>(shape);
@@ -69,7 +70,8 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<R>& 
             if (exist(inwards) > exist(larger)) larger = inwards;
         }
         add_errors(larger, 1e-17);  // faces are off by 1e-21, and a ray may come to them at an angle of 1e-4
-        if (larger.size() != crossings.size()) return larger;  // fewer where two parts touch
+        constexpr bool unites = requires { about::touching_parts_are_one; };
+        if (larger.size() > crossings.size() || (unites && larger.size() < crossings.size())) return larger;
         for (std::size_t i = 0; i < larger.size(); ++i) {
             if (!crossings[i].exists) crossings[i] = larger[i];
         }

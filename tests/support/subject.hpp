@@ -23,7 +23,8 @@ namespace raio::test {
 ///         // on a silhouette as seen from there, an edge, a vertex, a rim, an axis
 ///     static oracle distance(const Shape&, const vec3<oracle>&);
 ///         // to the surface, below 0 in a solid; for a shape in oracle numbers
-///     static Shape grown(Shape);  // optional: see accuracy.hpp
+///     static Shape grown(Shape);                       // optional, as the next one: see accuracy.hpp
+///     static constexpr bool touching_parts_are_one = true;
 template <class Shape>
 struct subject;
 
