@@ -159,6 +159,11 @@ TEST_CASE_TEMPLATE("torus: through the axis from one side of a spindle into the 
     check({{18, 0, 9}, {-3, 0, -1}}, T(4.2), T(9));
 }
 
+TEST_CASE("torus: so small that no t is between its ends (1 was divided by that, which was zero)") {
+    const torus<double> speck{{0, 0, 0}, {0, 0, 1}, 2e-312, 1e-312};
+    CHECK_FALSE(speck.occluded({{0, 0, 0}, {1e150, 0, 0}}, 0, infinity<double>));
+}
+
 TEST_CASE_TEMPLATE("torus: properties of every shape", T, RAIO_NUMBERS) { check_properties<torus<T>>(); }
 
 TEST_CASE_TEMPLATE("torus: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -91,6 +91,7 @@ struct torus {
         if (!(reach2 > W(0))) return list;
 
         W over_d2 = W(1) / d2, over_size = W(1) / size, middle = dot(l, d) * over_d2, half = sqrt(reach2) * over_d2;
+        if (!(half >= W(least))) return list;  // too small for the length of the direction
         vec3<W> q = cross(moment, d) * (over_d2 * over_size), e = d * (half * over_size);
         W major2 = W(major_radius) * over_size, minor2 = W(minor_radius) * over_size;
         major2 = major2 * major2, minor2 = minor2 * minor2;
