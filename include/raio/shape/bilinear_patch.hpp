@@ -90,10 +90,10 @@ struct bilinear_patch {
         vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);
         W quarter(0.25), size = norm1(edge_u * quarter) + norm1(reach * quarter), scale = quarter / size;
         vec3<W> scaled_u = edge_u * scale, scaled_v = edge_v * scale, scaled_twist = twist * scale;
-        // Beside a fold that is little of its terms.
+        // In all digits of W: beside a fold the two have nearly one direction, and little is left of the terms.
         vec3<Q> outward(cross(vec3<W>(scaled_u + scaled_twist * at.v), vec3<W>(scaled_v + scaled_twist * at.u)));
-        vec3<Q> a(scaled_u), w(scaled_v), turn(scaled_twist), aw = cross(a, w), at_u = cross(a, turn),
-                                                              at_v = cross(turn, w);
+        vec3<Q> a(scaled_u), w(scaled_v), turn(scaled_twist);
+        vec3<Q> aw = cross(a, w), at_u = cross(a, turn), at_v = cross(turn, w);
         vec3<Q> direction = normalize_from<T>(vec3<Q>(vec3<W>(ray.direction)));
         // The three are independent unless the patch is flat: only then the normal may vanish, at a corner without an
         // edge or on a fold, and is that of the plane. Much smaller than its terms it is rounding for the most part.
