@@ -204,6 +204,32 @@ TEST_CASE("bezier_curve: where a thorn is met from far away (the point lay beyon
     CHECK(thorn.occluded(ray, 0, 2));
 }
 
+TEST_CASE("bezier_curve: the turn just before an end, seen from far away (the normal was that of the end)") {
+    const auto wrong = [](const bezier_curve<float>& curve, const ray<float>& ray) {
+        double worst_ulp = 0;
+        return inexactness(probe<bezier_curve<float>>{curve, ray, 0, infinity<float>}, worst_ulp);
+    };
+    CHECK(wrong({{0x1.315632p+5f, -0x1.083b4ep+5f, 0x1.979fc6p+5f},
+                 {-0x1.3f2162p+5f, 0x1.02175ap+5f, -0x1.4800dap+4f},
+                 {-0x1.9966fep+2f, 0x1.3184eap+5f, -0x1.3ec3cp+5f},
+                 {-0x1.9e4dcep+2f, -0x1.0d4d32p+2f, 0x1.4d4e04p+0f},
+                 0x1.2ab35ep-2f,
+                 0x1.2ab35ep-2f,
+                 0x1.2ab35ep-2f,
+                 0x1.2ab35ep-2f},
+                {{0x1.0a6336p+21f, -0x1.0d4d32p+2f, 0x1.4d4e04p+0f}, {-0x1.778188p-3f, 0, 0}}) == "");
+    CHECK(wrong({{0x1.8188b4p+18f, -0x1.4c427cp+15f, 0x1.6c02b2p+18f},
+                 {-0x1.f7367ap+17f, 0x1.176918p+18f, 0x1.6d65bp+18f},
+                 {-0x1.2c386ep+17f, 0x1.18316ep+18f, 0x1.86af86p+18f},
+                 {0x1.fe4f7ep+16f, 0x1.d67686p+15f, -0x1.0dc63cp+14f},
+                 0x1.38b2aep+11f,
+                 0x1.567512p+12f,
+                 0x1.b6a224p+12f,
+                 0x1.70ae78p+12f},
+                {{-0x1.e0d602p+31f, 0x1.5aaaaap+30f, -0x1.a00a5cp+31f},
+                 {0x1.758fb8p-1f, -0x1.0d4e3p-2f, 0x1.4335bp-1f}}) == "");
+}
+
 TEST_CASE("bezier_curve: what leaves a line that touches every sphere") {
     const bezier_curve<double> curve{{-1, 0, -1}, {1, 1, -2}, {1, 0, 0}, {1, 0, 0}, 1, 0, 1, 1};  // all are below y = 1
     hit_record<double> rec;

@@ -165,8 +165,12 @@ struct bezier_curve {
         using Q = working_t<N>;
         W u = c.u;
         vec3<W> from_center = seen_from(p0, ray, c.t), ahead(W(0));
-        // The normal depends on more digits of u than t does.
-        if constexpr (!last_precision<W>) u += sphere_at(from_center, u, bound_t<W>(0)).further(c.v);
+        if constexpr (!last_precision<W>) {
+            // The normal depends on more digits of u than t does. What double takes for an end may be a turn before it.
+            const sphere_near<W> at = sphere_at(from_center, u, bound_t<W>(0));
+            const W longest = c.v > W(0) ? c.v : at.unnoticed(vec3<W>(ray.direction) * W(c.error));
+            u = max(W(0), min(W(1), u + at.further(longest)));
+        }
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const polynomial<W, 3> center = coordinate<W>(axis);
             from_center[axis] -= center(u), ahead[axis] = center.derivative()(u);
@@ -199,10 +203,18 @@ private:
         std::array<cubic_near<W>, 3> center;
         cubic_near<W> radius;
         W h, h_u;
+        vec3<W> b{};  ///< p, as seen from the centre
 
         /// How far on the sphere is of which h is 0: one step of Newton's method, if it is no longer than that.
         RAIO_FN constexpr W further(const W& longest) const {
             return max(-longest, min(longest, -quotient(h, h_u, W(0))));
+        }
+
+        /// How far from a turn of t a sphere can be without t telling them apart, if p may be off by a step: that
+        /// changes the level by no more than 2 b.step + step^2, and u does by -h_u u^2.
+        RAIO_FN constexpr W unnoticed(const vec3<W>& step) const {
+            const W change = abs(dot(b, step)) * W(2) + dot(step, step);
+            return h_u < W(0) ? sqrt(change / -h_u) : W(0);
         }
     };
 
@@ -215,8 +227,8 @@ private:
         sphere_near<W> s{{center(0), center(1), center(2)}, r, r.value * r.slope, r.slope * r.slope + r.value * r.bend};
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const cubic_near<W>& c = s.center[static_cast<std::size_t>(axis)];
-            const W b = p[axis] - c.value;
-            s.h += b * c.slope, s.h_u += b * c.bend - c.slope * c.slope;
+            s.b[axis] = p[axis] - c.value;
+            s.h += s.b[axis] * c.slope, s.h_u += s.b[axis] * c.bend - c.slope * c.slope;
         }
         return s;
     }
