@@ -19,8 +19,7 @@ template <real T>
 
 template <real R, real T, real N>
 [[gnu::noinline]] RAIO_FN constexpr hit_record<T, N> put_against(const ray<R>& ray, hit_record<T, N> rec) {
-    const mask_t<N> has_normal = rec.normal.x == rec.normal.x;
-    rec.normal = select(has_normal, rec.normal, -normalize(vec3<N>(ray.direction)));
+    rec.normal = select(is_finite(norm1(rec.normal)), rec.normal, -normalize(vec3<N>(ray.direction)));
     const auto number_or_0 = [](const T& x) { return select(x == x, x, T(0)); };
     rec.uv = {number_or_0(rec.uv.x), number_or_0(rec.uv.y)};
     return rec;
@@ -31,7 +30,7 @@ template <real R, real T, real N>
 template <class Shape, real R, class Crossing, real T, real N>
 RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
     shape.surface(ray, crossing, rec);
-    if (!all(rec.normal.x == rec.normal.x)) rec = put_against(ray, rec);
+    if (!all(is_finite(norm1(rec.normal)))) rec = put_against(ray, rec);
 }
 
 /// What the error of t counts for at least: a 64th of its rounding. So it is recorded alike by those who know more of

@@ -164,6 +164,13 @@ TEST_CASE("torus: so small that no t is between its ends (1 was divided by that,
     CHECK_FALSE(speck.occluded({{0, 0, 0}, {1e150, 0, 0}}, 0, infinity<double>));
 }
 
+TEST_CASE("torus: so large that no square of it is a number (two components of the normal were none)") {
+    const torus<double> world{{0, 0, 0}, {0x1p-847, 0x1p-477, 0x1p-477}, 0x1p-670, 0x1p518};
+    hit_record<double> rec;
+    REQUIRE(world.hit({{0, 0, 0}, {0, 0x1.2222222222222p-477, 0x1.2p-477}}, 0, infinity<double>, rec));
+    CHECK(length(rec.normal) == doctest::Approx(1));
+}
+
 TEST_CASE_TEMPLATE("torus: properties of every shape", T, RAIO_NUMBERS) { check_properties<torus<T>>(); }
 
 TEST_CASE_TEMPLATE("torus: as exact arithmetic", T, RAIO_NUMBERS) {
