@@ -141,6 +141,7 @@ TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, RAIO_NUMBE
             CHECK(bar.bounds().contains(bar.sample({u, T(0.5)}).point));
         }
     }
+    CHECK(bar.sample({T(1), T(0.5)}).point.z == T(4));  // no pair comes after the last one
 
     std::vector<int> counts(6, 0);
     random_numbers random(11);
