@@ -82,6 +82,9 @@ TEST_CASE_TEMPLATE("axial_crossing: an open side has its rims, and what is close
     for (const double t : {1.9375, 2.0625, 3.9375, 4.0625}) CHECK(!kept(t).certain);
     for (const double t : {2.0, 4.0}) CHECK((kept(t).exists && !kept(t).certain));
     for (const double t : {1.9375, 4.0625}) CHECK(kept(t).exists == std::same_as<N, double_double>);
+    for (const double t : {1.9375, 2.0625, 3.9375, 4.0625}) {  // the planes may be off as well
+        CHECK(!detail::within(test::slab<N>(4, 1, 0.5), crossing<N>{true, true, N(t), E(0), true}).certain);
+    }
     CHECK((!kept(2, 0.125, false).exists && kept(2, 0.125, false).certain));
     const auto beside = detail::within(test::slab<N>(9, 0), crossing<N>{true, true, N(3), E(0), true});
     CHECK((!beside.exists && beside.certain));

@@ -120,6 +120,9 @@ TEST_CASE_TEMPLATE("bezier_curve: named cases", T, RAIO_NUMBERS) {
                           thorn{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {0, 3, 0}, 1, T(2) / 3, T(1) / 3, 0},
                           bead{{-4, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {4, 0, 0}, 0, 2, 2, 0};
     const ray<T> ahead{{0, 0, 5}, {0, 0, -1}}, through_legs{{-9, 0, 0}, {1, 0, 0}};
+    const auto of_radii = [](T r0, T r1, T r2, T r3) {
+        return bezier_curve<T>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, r0, r1, r2, r3};
+    };
     check_cases<bezier_curve<T>>({
         {"straight, the side", straight, ahead, enters(4)},
         {"straight, from inside", straight, {{0, 0, 0}, {0, 0, -1}}, leaves(1)},
@@ -133,6 +136,10 @@ TEST_CASE_TEMPLATE("bezier_curve: named cases", T, RAIO_NUMBERS) {
         {"straight, from the surface inwards", straight, {{0, 0, 1}, {0, 0, -1}}, enters(0)},
         {"straight, from the surface outwards", straight, {{0, 0, 1}, {0, 0, 1}}, leaves(0)},
         {"straight, behind the ray", straight, {{0, 0, 5}, {0, 0, 1}}, misses},
+        {"a radius at its start alone", of_radii(1, 0, 0, 0), {{-5, 0, 0}, {1, 0, 0}}, enters(4)},
+        {"a radius at its second point alone", of_radii(0, 1, 0, 0), {{1, 5, 0}, {0, -1, 0}}, enters(5 - 4.0 / 9)},
+        {"a radius at its third point alone", of_radii(0, 0, 1, 0), {{2, 5, 0}, {0, -1, 0}}, enters(5 - 4.0 / 9)},
+        {"a radius at its end alone", of_radii(0, 0, 0, 1), {{8, 0, 0}, {-1, 0, 0}}, enters(4)},
         {"arch, from above", arch, {{0, 9, 0}, {0, -1, 0}}, enters(5)},
         {"arch, from above, out", arch, {{0, 9, 0}, {0, -1, 0}}, leaves(7), 6},
         {"arch, from the side", arch, {{0, 3, 5}, {0, 0, -1}}, enters(4)},

@@ -10,7 +10,8 @@ TEST_CASE_TEMPLATE("round_cone: named cases", T, RAIO_NUMBERS) {
     constexpr T eps = std::numeric_limits<T>::epsilon();
     // Equal radii are a capsule; then 3 : 4 : 5, whose cone touches the spheres of 1 and 4 where y = -0.6 and 2.6.
     const round_cone<T> pill{{0, -1, 0}, {0, 1, 0}, 1, 1}, pear{{0, 0, 0}, {0, 5, 0}, 1, 4},
-        turned{{0, 5, 0}, {0, 0, 0}, 4, 1}, inside{{0, 0, 0}, {0, 1, 0}, 1, 3}, within{{0, 0, 0}, {0, 2, 0}, 1, 3};
+        turned{{0, 5, 0}, {0, 0, 0}, 4, 1}, inside{{0, 0, 0}, {0, 1, 0}, 1, 3}, within{{0, 0, 0}, {0, 2, 0}, 1, 3},
+        slanted{{1, 2, 3}, {6, 14, 3}, 1, 6};
     const auto along_x = [](T y) { return ray<T>{{-9, y, 0}, {1, 0, 0}}; };
     check_cases<round_cone<T>>({
         {"a capsule, the side", pill, {{0, 0, 5}, {0, 0, -1}}, enters(4)},
@@ -27,6 +28,8 @@ TEST_CASE_TEMPLATE("round_cone: named cases", T, RAIO_NUMBERS) {
         {"pear, from inside", pear, {{0, 1, 0}, {1, 0, 0}}, leaves(2)},
         {"pear, from the side inwards", pear, {{2, 1, 0}, {-1, 0, 0}}, enters(0)},
         {"pear, from the side outwards", pear, {{2, 1, 0}, {1, 0, 0}}, leaves(0)},
+        {"of a 5, 12, 13, from the side inwards", slanted, {{0, 3, 3}, {2, -1, 1}}, enters(0)},
+        {"of a 5, 12, 13, from the side outwards", slanted, {{0, 3, 3}, {-2, 1, -1}}, leaves(0)},
         {"pear, behind the ray", pear, {{9, 1, 0}, {1, 0, 0}}, misses},
         {"pear, tangent to the side", pear, {{2, 1, 5}, {0, 0, -1}}, enters(5)},
         {"pear, one number beyond the tangent", pear, {{2 + 2 * eps, 1, 5}, {0, 0, -1}}, misses},
