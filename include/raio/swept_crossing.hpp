@@ -57,7 +57,7 @@ struct sweep {
         E least = E(height) - noise - off * s_rise, most = abs(E(height)) + noise + off * s_rise;
         E error = off * b_rise + E(2) * sqrt(most);
         if (least > E(0)) {
-            E low = sqrt(least), bend = b_bend + s_bend / (E(2) * low) + s_rise * s_rise / (E(4) * low * least);
+            E low = sqrt(least), bend = b_bend + (s_bend + s_rise * s_rise / (E(2) * least)) / (E(2) * low);
             error = min(error, off * off * bend + noise / low);
         }
         error += b_noise + E(32 * unit_roundoff<W>) * (abs(E(middle)) + E(root));
