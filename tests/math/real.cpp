@@ -23,6 +23,7 @@ static_assert(std::same_as<scalar_t<float>, float> && std::same_as<mask_t<double
 static_assert(primitive<sphere<dual>> && primitive<sphere<multiprecision>>);
 
 static_assert(unit_roundoff<float> == 0x1p-24 && unit_roundoff<double> == 0x1p-53);
+static_assert(std::same_as<wider_t<float>, working_t<float>> && std::same_as<wider_t<double>, exact_t<double>>);
 static_assert(infinity<float> > std::numeric_limits<float>::max());
 
 static_assert(select(true, 1, 2) == 1 && select(false, 1, 2) == 2);
