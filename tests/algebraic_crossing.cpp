@@ -42,6 +42,25 @@ struct walked {
 
 }  // namespace
 
+TEST_CASE("algebraic_crossing: of an open surface counts what is within a convex solid, as far as its ends are known") {
+    const polynomial<W, 1> f{{W(0), W(-1)}, {}};  // t = 3
+    const auto within = [&](double near, double far, bool certain = true) {
+        const chord<W> clip{{true, certain, W(near), 0x1p-6, true}, {true, true, W(far), 0x1p-6, false}};
+        return open_crossings(f, along, clip, {});
+    };
+    CHECK((within(2, 4).count == 1 && within(2, 4).certain && within(2, 4).crossings[0].entering));
+    CHECK(!within(2, 4, false).certain);
+    const chord<W> all = everywhere<W>();
+    CHECK(open_crossings(f, along, all, {}, [](const auto&) { return false; }).count == 0);
+    CHECK(open_crossings(polynomial<W, 1>{}, along, all, {}).count == 0);  // a line in the surface
+    for (const double end : {3 - 0x1p-7, 3 + 0x1p-7}) {
+        CHECK((within(end, 5).count == 1 && !within(end, 5).certain));
+        CHECK((within(1, end).count == 1 && !within(1, end).certain));
+    }
+    CHECK((within(3 + 0x3p-7, 5).count == 0 && within(3 + 0x3p-7, 5).certain));
+    CHECK((within(1, 3 - 0x3p-7).count == 0 && within(1, 3 - 0x3p-7).certain));
+}
+
 TEST_CASE("algebraic_crossing: a walk enters and leaves, in one piece or between two") {
     const walked once({{0, -1, -1, 1}}), at_an_end({{0, -1, -1, 0}, {0, -1, 0, 1}});
     for (const walked& w : {once, at_an_end}) CHECK((w.list.count == 1 && w.at(0, 3, true)));

@@ -190,6 +190,21 @@ bool undecided(const probe<Shape>& p) {
     return false;
 }
 
+/// The line has the same crossings the other way: the first one back is the last one before the ray begins, unless
+/// double_double cannot decide about that.
+template <class Shape>
+std::string unlike_the_other_way(const probe<Shape>& p) {
+    using T = number_t<Shape>;
+    hit_record<T> rec;
+    const bool hit = p.shape.hit({p.ray.origin, -p.ray.direction}, T(0), infinity<T>, rec);
+    const T last = hit ? -rec.t : -infinity<T>;
+    const probe<Shape> there{p.shape, p.ray, last, last},
+        later{p.shape, p.ray, hit ? std::nextafter(last, infinity<T>) : last, T(0)};
+    const bool lost = hit && !there.hit(rec), another = later.hit(rec);
+    if ((!lost && !another) || (!std::same_as<T, float> && undecided(there))) return "";
+    return lost ? "not hit the other way, t = " + literal(last) : "hit this way only, " + literal(rec);
+}
+
 /// Is a point said to be off by more than its own digits, and those of the ray's origin, explain?
 template <class Shape>
 bool is_vague(const probe<Shape>& p) {
@@ -212,7 +227,7 @@ void check_accuracy(int rays, double excusable = 1e-3) {
     for_random_probes<Shape>("as exact arithmetic", rays, [&](const probe<Shape>& p, random_numbers&) -> std::string {
         hits += p.shape.occluded(p.ray, p.t_min, p.t_max);
         vague += is_vague(p);
-        const std::string wrong = inexactness(p, worst_ulp);
+        const std::string wrong = inexactness(p, worst_ulp) + unlike_the_other_way(p);
         if (wrong.empty() || std::same_as<T, float> || !undecided(p)) return wrong;
         ++excused;
         return "";

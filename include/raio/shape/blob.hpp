@@ -156,8 +156,8 @@ struct blob {
         for (const metaball<T>& m : components) {
             if (!has_effect(m)) continue;
             const vec3<W> beside = from_axis(m, vec3<W>(p - vec3<W>(m.center)));
-            const W within = depth(m, beside), r(m.radius);
-            if (within > W(0)) outwards += beside * (W(m.strength) * within / (r * r));
+            const W within = depth(m, beside), over_r = W(1) / W(m.radius);
+            if (within > W(0)) outwards += beside * over_r * (W(m.strength) * within * over_r);
         }
         const aabb<T> box = bounds();
         vec3<T> size = box.max - box.min;
