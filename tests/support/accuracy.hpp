@@ -305,12 +305,24 @@ void check_bounds_of_errors(int rays, double may_stay_open = 0.3) {
     }
 }
 
+/// Is the recorded normal across the surface? A step along it leads away from there, and one across it hardly does.
+/// (Beside an edge it may lead onto another face.)
+template <class Shape>
+bool is_across(const Shape& shape, const hit_record<oracle>& rec, const oracle& step) {
+    const auto away = [&](const vec3<oracle>& direction) {
+        return oracle(abs(subject<Shape>::distance(shape, rec.point + direction * step)));
+    };
+    const frame<oracle> f = frame_about(rec.normal);
+    return away(f.x) + away(f.y) < oracle(1e-3) * away(rec.normal);
+}
+
 /// The oracle itself, asked in other words than the shape's own: what it crosses lies on the surface, and a line
 /// through a point inside crosses before it and behind it.
 template <class Shape>
 void check_oracle() {
     using exact_shape = decltype(converted<oracle>(std::declval<Shape>()));
     random_numbers random(1);
+    int normals = 0, beside = 0;
     for (int i = 0; i < at_least(2000); ++i) {
         const probe<Shape> p = scattered_probe<Shape>(random);
         const exact_shape shape = converted<oracle>(p.shape);
@@ -322,9 +334,15 @@ void check_oracle() {
             behind = behind || c.t >= 0;
             const oracle off = subject<exact_shape>::distance(shape, inside + direction * c.t);
             REQUIRE_MESSAGE(abs(off) <= (abs(c.t) + length(inside)) * 1e-38, literal(p.shape));
+            hit_record<oracle> rec;
+            shape.surface(ray<oracle>{inside, direction}, c, rec);
+            rec.point = inside + direction * c.t;
+            ++normals, beside += !is_across(shape, rec, oracle((abs(c.t) + norm1(inside)) * 1e-24));
         }
         REQUIRE_MESSAGE((solid<Shape> ? before && behind : before || behind), literal(p.shape));
     }
+    MESSAGE(normals << " normals, " << beside << " not across");
+    CHECK(beside < with_chance(normals * 0.02));
 }
 
 }  // namespace raio::test
