@@ -316,8 +316,8 @@ bool is_across(const Shape& shape, const hit_record<oracle>& rec, const oracle& 
     return away(f.x) + away(f.y) < oracle(1e-3) * away(rec.normal);
 }
 
-/// The oracle itself, asked in other words than the shape's own: what it crosses lies on the surface, and a line
-/// through a point inside crosses before it and behind it.
+/// The oracle itself, asked in other words than the shape's own: what it crosses lies on the surface, a line through a
+/// point inside crosses before it and behind it, and its normals are across the surface.
 template <class Shape>
 void check_oracle() {
     using exact_shape = decltype(converted<oracle>(std::declval<Shape>()));
