@@ -33,6 +33,13 @@ RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Cross
     if (!all(is_finite(norm1(rec.normal)))) rec = put_against(ray, rec);
 }
 
+/// A bound of a point's error, of which what is beyond the largest number, or no number, counts as that.
+template <real T>
+RAIO_FN constexpr vec3<T> finite_error(const vec3<T>& error) {
+    const T most(std::numeric_limits<scalar_t<T>>::max());
+    return {min(most, error.x), min(most, error.y), min(most, error.z)};
+}
+
 /// What the error of t counts for at least: a 64th of its rounding. So it is recorded alike by those who know more of
 /// it and those who know less.
 template <real T>
@@ -67,10 +74,15 @@ RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit
     const T floor = bend * T(4 * in_t * in_t) + (bend + reach) * T(0x1p-72) + least;
     vec3<T> error = vec3<T>(abs(ray.direction) * R(of_t)) + vec3<T>(abs(ray.origin) * R(in_w));
     error += abs(rec.point) * T(in_t + in_w);
-    error = error * T(up) + vec3<T>(floor);
-    rec.error = {min(most, error.x), min(most, error.y), min(most, error.z)};  // `most` also for what is not a number
+    rec.error = detail::finite_error(error * T(up) + vec3<T>(floor));
     rec.index = index_t<T>{};
     rec.front_face = c.entering;
+}
+
+/// Says of a recorded point that it may be off by that much more.
+template <real T, real N>
+RAIO_FN constexpr void add_error(hit_record<T, N>& rec, const T& more) {
+    rec.error = detail::finite_error(rec.error + vec3<T>(more));
 }
 
 /// Keeps a recorded point within the bounds: that of a ray that grazes a tip, where W, as the last precision, does not

@@ -73,6 +73,7 @@ TEST_CASE("depressed_quartic: what it does not know") {
     CHECK(!known({{W(-0.5), W(1), W(0), W(0), W(0.5)}}));
     CHECK(!known({{W(1.0 / 16), W(0), W(-0.5), W(0), W(1)}}));  // it touches zero twice
     CHECK(!known({{W(NAN), W(0), W(0), W(0), W(1)}}));
+    CHECK(!known({{W(0x1p-1070), W(0), W(0), W(0), W(0x1p-1070)}}));  // which has no noise but what underflows
 }
 
 }  // namespace raio::test

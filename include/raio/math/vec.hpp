@@ -94,12 +94,15 @@ RAIO_FN constexpr T length(const vec3<T>& a) {
     return sqrt(dot(a, a));
 }
 
-/// The vector itself, or, where its square would be out of range, the same times a power of two. What was made of
-/// numbers of a much narrower type, as of floats in double, cannot be: nothing up to their eighth power is.
+/// Is what is made of numbers From within the range of T, up to their eighth power? Of floats in double it is.
+template <class From, class T>
+inline constexpr bool has_room_for =
+    std::numeric_limits<scalar_t<T>>::max_exponent / 8 >= std::numeric_limits<scalar_t<From>>::max_exponent;
+
+/// The vector itself, or, where its square would be out of range, the same times a power of two.
 template <class From, real T>
 RAIO_FN constexpr vec3<T> scaled_into_range(const vec3<T>& a) {
-    using limits = std::numeric_limits<scalar_t<T>>;
-    if constexpr (limits::max_exponent / 8 >= std::numeric_limits<scalar_t<From>>::max_exponent) {
+    if constexpr (has_room_for<From, T>) {
         return a;
     } else {
         using E = bound_t<T>;

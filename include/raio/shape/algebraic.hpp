@@ -107,7 +107,7 @@ struct algebraic {
             box.surface(ray, on_box, rec);
             // The point is on the face without any error; but what leaves it has to be certain in double_double that it
             // is not on f, for which `record_point` asks as much.
-            rec.error += vec3<T>(norm1(max - min) * T(0x1p-72));
+            add_error(rec, norm1(max - min) * T(0x1p-72));
             return;
         }
         vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t;

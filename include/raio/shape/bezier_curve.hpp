@@ -183,7 +183,7 @@ struct bezier_curve {
         // such an s has no certain root.
         T apart = T(0x1p-60) * size;
         if constexpr (last_precision<W>) apart = max(apart, norm1(vec3<T>(ray.direction)) * T(c.error));
-        rec.error += vec3<T>(apart);
+        add_error(rec, apart);
 
         vec3<Q> onwards(scaled_into_range<Q>(vec3<Q>(ahead))), outward(from_center);
         const bool still = !(norm1(onwards) > Q(0));

@@ -88,7 +88,8 @@ struct bilinear_patch {
         using Q = working_t<N>;
         const auto [edge_u, edge_v, far] = edges<W>();
         vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);
-        W quarter(0.25), size = norm1(edge_u * quarter) + norm1(reach * quarter), scale = quarter / size;
+        W quarter(0.25), size = norm1(edge_u * quarter) + norm1(reach * quarter),
+                         scale = has_room_for<T, W> ? W(1) : quarter / size;
         vec3<W> scaled_u = edge_u * scale, scaled_v = edge_v * scale, scaled_twist = twist * scale;
         // In all digits of W: beside a fold the two have nearly one direction, and little is left of the terms.
         vec3<Q> outward(cross(vec3<W>(scaled_u + scaled_twist * at.v), vec3<W>(scaled_v + scaled_twist * at.u)));

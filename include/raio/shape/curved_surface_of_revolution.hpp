@@ -98,8 +98,7 @@ struct revolved_piece<T, 3> {
         const T size = widest + norm1(axis) * high;
         vec3<W> outward = outward_normal(curve, s, p);
         record_gradient(ray, c, outward, size, rec);
-        rec.error +=
-            vec3<T>(T(0x1p-60) * size);  // from where on a crossing is certain, of a radius of 2^-20 of the size
+        add_error(rec, T(0x1p-60) * size);  // from where on a crossing is certain, of a radius of 2^-20 of the size
         const frame<Q> f = frame_about(vec3<Q>(curve.axis));
         vec3<Q> beside(p - curve.axis * dot(p, curve.axis));
         rec.uv = {turns(T(dot(beside, f.y)), T(dot(beside, f.x))), max(T(0), min(T(1), T(s)))};

@@ -100,7 +100,7 @@ private:
         rec.normal = facing - towards * (T(2) * max(T(0), dot(facing, towards)));
         rec.uv = vec2<T>(T(0));
         // From the one end of the tolerance to beyond the other.
-        rec.error += vec3<T>(T(3) * tolerance / (flat ? lipschitz : steepness));
+        add_error(rec, T(3) * tolerance / (flat ? lipschitz : steepness));
     }
 };
 
