@@ -204,6 +204,8 @@ TEST_CASE_TEMPLATE("polynomial_roots: only the first root beyond a place", W, st
     CHECK((is_at(second.places[0], -3) && is_at(second.places[1], -1)));
     CHECK(exactly(second.places[1].error) < oracle(1e-12));
     CHECK(found(nowhere, 9, nowhere).count == 4);
+    // A place within the error of a root may be beyond it.
+    CHECK(roots_between(p, W(-10), W(10), {E(nowhere), E(second.places[1].t), E(nowhere)}).count == 3);
 
     // Which roots end before a place the roots' enclosures say, so that one beside it may be found all the same.
     const auto last = found(6, 6.5, nowhere);

@@ -20,6 +20,7 @@ TEST_CASE_TEMPLATE("quadratic roots: in order, whichever sign b has", W, float, 
     CHECK(are(roots(2, 4, 8, 0), 2, 2));
     CHECK(are(roots(1, 2, 0, 2), 0, 4));
     CHECK(are(roots(1, -2, 0, 2), -4, 0));
+    CHECK(are(roots(1, 1, infinity<double>, 2), -1, 3));  // c is what is out of range first
 }
 
 TEST_CASE("quadratic roots: in the last precision the root near 0 has all its digits") {
