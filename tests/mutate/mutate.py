@@ -160,9 +160,9 @@ def main():
             print(f"{m.header}:{m.line}: {m.was}\n    {m.becomes}")
         return 0
 
-    accepted = {line.split(" | ")[1] for line in ACCEPTED.read_text().splitlines()[1:] if " | " in line}
-    for line in accepted - {m.becomes for header in TESTS for m in mutations(header)}:
-        print(f"accepted, but made no more: {line}")
+    accepted = {tuple(line.split(" | ")[:2]) for line in ACCEPTED.read_text().splitlines()[1:] if " | " in line}
+    for header, line in accepted - {(header, m.becomes) for header in TESTS for m in mutations(header)}:
+        print(f"accepted, but made no more: {header}: {line}")
     counts = {kind: {"caught": 0, "survived": 0, "accepted": 0, "does not compile": 0} for kind in MISTAKES}
     with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as jobs:
         folders = queue.SimpleQueue()
@@ -181,7 +181,7 @@ def main():
                 folders.put(folder)
 
         for m, result in zip(tried, jobs.map(judged, tried)):
-            if result == "survived" and m.becomes in accepted:
+            if result == "survived" and (m.header, m.becomes) in accepted:
                 result = "accepted"
             counts[m.kind][result] += 1
             print(f"{result}: {m.header}:{m.line}", flush=True)
