@@ -97,7 +97,7 @@ private:
         const bool flat = !(steepness > T(0) && is_finite(steepness));
         vec3<T> towards = normalize(ray.direction), facing = flat ? -towards : slope * (side / steepness);
         // Where the slope is drowned in its error, and points along the ray, it is mirrored.
-        rec.normal = facing - towards * (T(2) * max(T(0), dot(facing, towards)));
+        rec.normal = normalize(facing - towards * (T(2) * max(T(0), dot(facing, towards))));
         rec.uv = vec2<T>(T(0));
         // From the one end of the tolerance to beyond the other.
         add_error(rec, T(3) * tolerance / (flat ? lipschitz : steepness));
