@@ -53,6 +53,8 @@ TEST_CASE_TEMPLATE("aabb: the nearest point in it", T, RAIO_NUMBERS) {
     CHECK(nearest_in(box, vec3<T>(0.5, 3, 0)) == vec3<T>(0.5, 3, 0));
     CHECK(nearest_in(box, vec3<T>(-7, 6, 1)) == vec3<T>(-1, 5, 0));
     CHECK(nearest_in(box, vec3<T>(infinity<T>, -infinity<T>, -1)) == vec3<T>(1, 2, 0));
+    const T none = std::numeric_limits<T>::quiet_NaN();
+    CHECK(nearest_in({vec3<T>(none, 2, none), vec3<T>(1, none, none)}, vec3<T>(3, 1, 4)) == vec3<T>(1, 2, 4));
 }
 
 TEST_CASE_TEMPLATE("outward: to the next number or the one after it, and off zero", T, RAIO_NUMBERS) {

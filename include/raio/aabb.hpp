@@ -43,10 +43,10 @@ RAIO_FN constexpr aabb<T> overlap(const aabb<T>& a, const aabb<T>& b) {
             {min(a.max.x, b.max.x), min(a.max.y, b.max.y), min(a.max.z, b.max.z)}};
 }
 
-/// The point of the box that is nearest to this one.
+/// The point of the box that is nearest to this one. A side of the box that is no number bounds nothing.
 template <real T>
 RAIO_FN constexpr vec3<T> nearest_in(const aabb<T>& box, const vec3<T>& point) {
-    const auto between = [](const T& low, const T& high, const T& x) { return max(low, min(high, x)); };
+    const auto between = [](const T& low, const T& high, const T& x) { return max(min(x, high), low); };
     return {between(box.min.x, box.max.x, point.x), between(box.min.y, box.max.y, point.y),
             between(box.min.z, box.max.z, point.z)};
 }
