@@ -95,6 +95,9 @@ TEST_CASE("crossing: what is out of the window, whatever way and size are off by
     CHECK(may_be_in < out / 4);
     CHECK(!is_unwanted(first_from<double>{-infinity<double>, infinity<double>, false}, 1.0, 0.5, 1.0, 0.5));
     CHECK(!is_unwanted(first_from<double>{0, infinity<double>, false}, 0.0, 0.0, 0.0, 0.0));
+    // A t of 2^-1200 is 0.
+    CHECK(!is_unwanted(first_from<double>{0, 0, false}, 0x1p-1000, 0.0, 0x1p200, 0.0));
+    CHECK(!is_unwanted(first_from<double>{0, 0, false}, -0x1p-1000, 0.0, 0x1p200, 0.0));
 }
 
 }  // namespace raio::test

@@ -104,8 +104,9 @@ RAIO_FN constexpr mask_t<W> is_unwanted([[maybe_unused]] const Wanted& wanted, [
                                         [[maybe_unused]] const bound_t<W>& size_error) {
     if constexpr (std::same_as<Wanted, first_from<W>>) {
         using E = bound_t<W>;
-        // Twice the errors, for the roundings here and that of t.
-        E begin(wanted.t_min), end(wanted.t_max), of_way = E(2) * way_error, of_size = E(2) * size_error;
+        // Twice the errors, for the roundings here and that of t; a t that is too small for any number counts as 0.
+        const E least(least_normal<W>), begin = E(wanted.t_min) - least, end = E(wanted.t_max) + least;
+        E of_way = E(2) * way_error, of_size = E(2) * size_error;
         E earliest = E(way) - of_way, latest = E(way) + of_way;
         return some(latest < begin * (E(size) - flip(of_size, begin)), end * (E(size) + flip(of_size, end)) < earliest);
     } else {
