@@ -38,7 +38,7 @@ struct blob {
     static constexpr std::size_t most_crossings = 24 * Most;
 
     std::array<metaball<T>, Most> components{};
-    T threshold;  ///< missed unless it is positive
+    T threshold;  ///< missed unless it is positive, and above 2^-900, since there two doubles lose their digits
 
     RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
@@ -177,7 +177,8 @@ private:
     RAIO_FN static constexpr bool has_effect(const metaball<T>& m) { return m.radius > T(0) && m.strength != T(0); }
 
     RAIO_FN constexpr bool is_sound() const {
-        bool sound = threshold > T(0) && is_finite(threshold);
+        using W = working_t<T>;
+        bool sound = W(threshold) > W(0x1p-900) && is_finite(threshold);
         for (const metaball<T>& m : components) {
             sound = sound && is_finite(m.center) && is_finite(m.axis) && m.radius >= T(0) && is_finite(m.radius) &&
                     is_finite(m.strength);
