@@ -79,8 +79,8 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
         t_error = max(t_error, min(looser, abs(E(t)) * E(0x1p-4)));
     }
     mask_t<W> meets = every(size > tie<W>(size_error), within >= -tie<W>(error));
-    // A tie at a corner is much closer than the error of the far edge; and none is farther outside than the bounds of
-    // floats are padded, however little is known of a sliver.
+    // A tie at a corner is much closer than the error of the far edge; and none is farther outside than 2^-30 of an
+    // edge, for which the bounds of floats have room (2^-29 of a coordinate), however little is known of a sliver.
     if constexpr (last_precision<W>) {
         meets = every(meets, u >= -u_error, v >= -v_error, within >= W(-0x1p-30) * size);
     }

@@ -88,6 +88,7 @@ struct bilinear_patch {
         using Q = working_t<N>;
         const auto [edge_u, edge_v, far] = edges<W>();
         vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);
+        // What floats make has room in double as it is; to scale it would lose a short edge beside a long one.
         W quarter(0.25), size = norm1(edge_u * quarter) + norm1(reach * quarter),
                          scale = has_room_for<T, W> ? W(1) : quarter / size;
         vec3<W> scaled_u = edge_u * scale, scaled_v = edge_v * scale, scaled_twist = twist * scale;
