@@ -34,10 +34,13 @@ TEST_CASE("crossing: where a function is zero, whatever value and slope are off 
     CHECK(cross_zero(1.0, 0.0, slope_of(0.0, 0.0)).certain);
     CHECK(!cross_zero(1.0, 0.0, slope_of(0.0, 0.0)).entering);
     CHECK(!slope_of(infinity<double>, 0.0).certain);
-    CHECK(slope_of(std::numeric_limits<float>::min(), 0.0f).certain);
+    CHECK(slope_of(4 * std::numeric_limits<float>::min(), 0.0f).certain);
     CHECK((slope_of(1.0, 0.5).certain && !slope_of(1.0, 0.50001).certain));
     CHECK(!slope_of(0.0, 1e-300).certain);
-    CHECK(!slope_of(1e-40f, 0.0f).certain);  // it may have lost its digits
+    for (const double tiny : {0x1p-1074, 0x1p-1022}) {  // it may have lost its digits
+        CHECK((!slope_of(strict_double(tiny), 0.0).certain && slope_of(double_double(tiny), 0.0).certain));
+    }
+    CHECK(!slope_of(1e-40f, 0.0f).certain);
 }
 
 /// Half of the largest float is 1.7e38.

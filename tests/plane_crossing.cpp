@@ -37,4 +37,10 @@ TEST_CASE("plane_crossing: the bounds of slope, height, distance and of what is 
     CHECK((of_t.largest > 0.1 && of_missing.largest > 0.1));
 }
 
+TEST_CASE("plane_crossing: a product below all numbers counts as an error, until there is nobody to leave it to") {
+    const vec3<double> normal(0, 0, 0x1p-600), origin(0, 0, 0x1p-600), point(0);
+    CHECK(height_above(vec3<W>(normal), point, origin).error > 0.0);
+    CHECK(height_above(vec3<X>(normal), point, origin).error == 0.0);
+}
+
 }  // namespace raio::test

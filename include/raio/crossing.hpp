@@ -146,8 +146,9 @@ RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& erro
     using E = bound_t<W>;
     E size = abs(E(slope));
     // No slope at all is certain where no term of it has a size: not where one was too small for its digits, or is not
-    // in the range.
-    const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= with_underflow<W>(E(0)));
+    // in the range. Three products may have lost half of the smallest number each, which is a rounding of this much.
+    const E least(last_precision<W> ? 0.0 : 4 * least_normal<W>);
+    const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= least);
     return {slope, error, quotient(W(1), slope, W(0)), every(size > tie<W>(error), in_range),
             every(size >= E(2) * error, in_range, has_digits)};
 }

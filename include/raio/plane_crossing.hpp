@@ -35,8 +35,9 @@ template <class W, real T, real R>
 RAIO_FN constexpr plane_height<W> height_above(const vec3<W>& normal, const vec3<T>& point, const vec3<R>& origin) {
     using E = bound_t<W>;
     vec3<W> from_point = difference_as<W>(origin, point);
-    E terms = dot(abs(vec3<E>(normal)), abs(vec3<E>(from_point)));
-    return {dot(normal, from_point), with_underflow<W>(E(5 * unit_roundoff<W>) * terms)};
+    E error = E(5 * unit_roundoff<W>) * dot(abs(vec3<E>(normal)), abs(vec3<E>(from_point)));
+    // Planes ask nothing of the size of their numbers, so that double comes near its smallest here as well.
+    return {dot(normal, from_point), last_precision<W> ? error : error + E(least_normal<W>)};
 }
 
 /// What is missing of a crossing with a plane.
