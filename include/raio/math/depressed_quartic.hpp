@@ -34,8 +34,7 @@ public:
         // c4 may not be close to none. The other half of the doubled noise is that. The slope's noise is no more than
         // four times the value's, since no power is above 4.
         noise_ = E(2) * p.noise()(E(1));
-        // (Below the smallest normal number there would be no noise, but what underflows.)
-        is_sound_ = p.coefficient[3] == W(0) && p.error[3] == E(0) && E(c4_) > E(0x1p20) * noise_ + E(least_normal<W>);
+        is_sound_ = p.coefficient[3] == W(0) && p.error[3] == E(0) && E(c4_) > E(0x1p20) * noise_;
     }
 
     /// The first root in [low, high]. Not known unless it is positive at both ends.
