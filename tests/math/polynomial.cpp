@@ -57,7 +57,7 @@ TEST_CASE("polynomial: the error of a value is bounded") {
 // A Roman surface whose squares were 0 was met for one question, and missed for the other.
 TEST_CASE("polynomial: what is lost below the smallest numbers counts as an error") {
     const auto tiny = product<2>(polynomial<double, 1>{{0x1p-538}}, polynomial<double, 1>{{0x1p-538}});
-    CHECK(tiny.noise()(0) > 0x1p-1076);
+    CHECK(tiny.noise()(0) > 0.0);
 }
 
 TEST_CASE("polynomial: a product by hand") {
