@@ -145,6 +145,21 @@ TEST_CASE_TEMPLATE("polynomial_roots: roots of higher multiplicity are places th
     CHECK(found_roots<W, 2>({0, 0}, -10, 10).places[0].t == W(0));
 }
 
+TEST_CASE_TEMPLATE("polynomial_roots: of numbers whose squares are 0 (a step of 0 / 0 was taken for the last)", W,
+                   strict_double, double_double) {
+    for (int exponent = -560; exponent < -500; ++exponent) {
+        const W unit(std::ldexp(1.0, exponent));  // (t + 1/64) (t - 1/4) (t - 1/2), as small
+        const std::array<double, 3> roots{-0x1p-6, 0.25, 0.5};
+        const auto tiny =
+            roots_between<W, 3>({{unit * W(0x1p-9), unit * W(29 * 0x1p-8), unit * W(-47 * 0x1p-6), unit}}, W(-1), W(1));
+        REQUIRE((tiny.count == 3 && tiny.certain));
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(abs(tiny.places[i].t - W(roots[i])) <= W(tiny.places[i].error));
+            CHECK(tiny.places[i].error < bound_t<W>(0x1p-40));
+        }
+    }
+}
+
 TEST_CASE("polynomial_roots: a clear sign between two roots is no end of the place where they are taken for one") {
     const std::vector<oracle> roots{oracle("-7.6796936445700136886"), oracle("-7.6790678929735308383"),
                                     oracle("-5.4515112847240505545"), oracle("-5.4511287388667622628"),

@@ -237,9 +237,9 @@ private:
             E last_step = step;
             step = abs(off);
             // (At a root of any order |f f''| / 2 is at most half of f'^2. Where it is more than twice that, the slope
-            // is all but zero and the value is not: a short step says nothing.)
+            // is all but zero and the value is not: a short step says nothing. Nor does one of squares that are lost.)
             const bool good = every(ends[0] <= next, next <= ends[1], step <= E(0.5) * last_step,
-                                    abs(height * bend) <= slope * slope);
+                                    abs(height * bend) <= slope * slope, slope * slope >= E(least_normal<W>));
             t = good ? next : ends[0] + (ends[1] - ends[0]) * W(0.5);
             if (!good) step = E(abs(ends[1] - ends[0]));
             if (!(step > (good ? tolerance : E(unit_roundoff<W>)) * E(abs(t)))) break;
