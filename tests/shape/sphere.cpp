@@ -60,6 +60,15 @@ TEST_CASE_TEMPLATE("sphere: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+/// What a closer look squares is 2^1044 here (the tree met it, the loop did not).
+TEST_CASE("sphere: met where the ray's speed and its distance have a product that has no square") {
+    const sphere<double> ball{{0, 0, 0x1p101}, 0x1p69};
+    hit_record<double> rec;
+    REQUIRE(ball.hit({{0, 0x1p68, 0}, {0, 0, 0x1p421}}, 0.0, infinity<double>, rec));
+    CHECK(rec.t * 0x1p320 == doctest::Approx(1));
+    CHECK(ball.occluded({{0, 0x1p68, 0}, {0, 0, 0x1p421}}, 0.0, infinity<double>));
+}
+
 TEST_CASE("sphere: from a point that lies on it exactly, and no root of 53 bits says so") {
     check_cases<sphere<float>>({
         {"inwards",
