@@ -27,7 +27,8 @@ RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error) {
 }
 
 /// A bound, and what may have been lost besides where small floats lose their digits. What is computed in double does
-/// not come near its own smallest numbers.
+/// not come near its own smallest numbers, but in planes and polynomials, which ask nothing of sizes and say so
+/// themselves.
 template <real W>
 RAIO_FN constexpr bound_t<W> with_underflow(const bound_t<W>& error) {
     if constexpr (std::same_as<scalar_t<W>, float>) {
@@ -146,7 +147,7 @@ RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& erro
     using E = bound_t<W>;
     E size = abs(E(slope));
     // No slope at all is certain where no term of it has a size: not where one was too small for its digits, or is not
-    // in the range. Three products may have lost half of the smallest number each, which is a rounding of this much.
+    // in the range. Three products may have lost half of the smallest number each: less than a rounding of this.
     const E least(last_precision<W> ? 0.0 : 4 * least_normal<W>);
     const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= least);
     return {slope, error, quotient(W(1), slope, W(0)), every(size > tie<W>(error), in_range),

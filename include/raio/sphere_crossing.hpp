@@ -87,6 +87,7 @@ template <int Roundings, bool Spare, class W, class Power>
         }
     }
     // A sphere so small that the last precision cannot tell it from its centre has no normal: it is missed.
+    // (b alone may have no square.)
     E blur = E(0x1p12 * u) * E(b), resolved = tie<W>(blur * blur);
     const mask_t<W> sound = a >= W(least), apart = every(sound, s2 < -s2_error);
     const mask_t<W> exists = every(s2 >= -tie<W>(s2_error), ar2 >= W(least) + resolved, radius > W(0));

@@ -145,7 +145,7 @@ TEST_CASE_TEMPLATE("polynomial_roots: roots of higher multiplicity are places th
     CHECK(found_roots<W, 2>({0, 0}, -10, 10).places[0].t == W(0));
 }
 
-TEST_CASE_TEMPLATE("polynomial_roots: of numbers whose squares are 0 (a step of 0 / 0 was taken for the last)", W,
+TEST_CASE_TEMPLATE("polynomial_roots: of numbers whose squares are 0 (a step of 0 was taken for the last)", W,
                    strict_double, double_double) {
     for (int exponent = -560; exponent < -500; ++exponent) {
         const W unit(std::ldexp(1.0, exponent));  // (t + 1/64) (t - 1/4) (t - 1/2), as small
