@@ -16,10 +16,10 @@ hit_record<float> record(float t, std::uint32_t index) {
     return rec;
 }
 
-using place = std::pair<float, std::uint32_t>;
+using listed = std::pair<float, std::uint32_t>;
 
-std::vector<place> places_of(std::span<const hit_record<float>> hits) {
-    std::vector<place> places;
+std::vector<listed> places_of(std::span<const hit_record<float>> hits) {
+    std::vector<listed> places;
     for (const hit_record<float>& rec : hits) places.emplace_back(rec.t, rec.index);
     return places;
 }
@@ -29,7 +29,7 @@ std::vector<place> places_of(std::span<const hit_record<float>> hits) {
 TEST_CASE("nearest_few, all_hits: sorted by t, then by index; the same crossing counts once") {
     random_numbers random(1);
     for (int run = 0; run < 2000; ++run) {
-        std::vector<place> expected;
+        std::vector<listed> expected;
         std::vector<hit_record<float>> records(static_cast<std::size_t>(random.integer(2, 9)));
         const auto room = std::span(records).subspan(1);
         detail::nearest_few<float> few(room, 100);

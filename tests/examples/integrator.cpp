@@ -6,8 +6,6 @@ using namespace render;
 
 namespace {
 
-const ray forward{{0, 0, -4}, {0, 0, 1}};
-
 color light(const scene& s, const ray& view, int depth = 6, std::string_view name = "whitted") {
     sampler sampler(0, 0, 0);
     return integrator_named(name).radiance(world(s), view, sampler, depth);

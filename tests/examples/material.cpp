@@ -15,7 +15,7 @@ vec3 falling(number angle, number turn) {
     return {std::sin(angle) * std::cos(turn), -std::cos(angle), std::sin(angle) * std::sin(turn)};
 }
 
-const vec3 up(0, 1, 0);
+const vec3 upward(0, 1, 0);
 
 }  // namespace
 
@@ -23,16 +23,16 @@ TEST_CASE("refraction is Snell's law: the sine is multiplied, the plane of incid
     for (const number ratio : {1 / 2.42, 1 / 1.5, 1 / 1.33, 1.0, 1.33, 1.5, 2.42}) {
         for (number angle = 0; angle < 90; angle += 1.5) {
             const vec3 in = falling(angle * degree, 0.7);
-            const auto out = refracted(in, up, ratio);
+            const auto out = refracted(in, upward, ratio);
             const number sine = ratio * std::sin(angle * degree);
             CAPTURE(ratio);
             CAPTURE(angle);
             REQUIRE(out.has_value() == (sine < 1));
             if (!out) continue;
             CHECK(raio::length(*out) == doctest::Approx(1).epsilon(1e-14));
-            CHECK(raio::length(raio::cross(*out, up)) == doctest::Approx(sine).epsilon(1e-14));
+            CHECK(raio::length(raio::cross(*out, upward)) == doctest::Approx(sine).epsilon(1e-14));
             CHECK(out->y < 0);
-            CHECK(raio::dot(*out, raio::cross(in, up)) == doctest::Approx(0));
+            CHECK(raio::dot(*out, raio::cross(in, upward)) == doctest::Approx(0));
             CHECK(out->x * in.x + out->z * in.z >= 0);
         }
     }
@@ -41,8 +41,8 @@ TEST_CASE("refraction is Snell's law: the sine is multiplied, the plane of incid
 TEST_CASE("internal reflection is total from the critical angle on") {
     for (const number refractive_index : {1.33, 1.5, 2.42}) {
         const number critical = std::asin(1 / refractive_index);
-        CHECK(refracted(falling(critical - 1e-6, 2), up, refractive_index));
-        CHECK_FALSE(refracted(falling(critical + 1e-6, 2), up, refractive_index));
+        CHECK(refracted(falling(critical - 1e-6, 2), upward, refractive_index));
+        CHECK_FALSE(refracted(falling(critical + 1e-6, 2), upward, refractive_index));
     }
 }
 
@@ -66,7 +66,7 @@ TEST_CASE(
 
 TEST_CASE("a mirror keeps the angle") {
     for (const number angle : {0.0, 30.0, 89.0}) {
-        const vec3 in = falling(angle * degree, 1), out = reflected(in, up);
+        const vec3 in = falling(angle * degree, 1), out = reflected(in, upward);
         CHECK(raio::length(out - vec3(in.x, -in.y, in.z)) < 1e-15);
     }
 }
@@ -74,7 +74,7 @@ TEST_CASE("a mirror keeps the angle") {
 TEST_CASE("glass reflects as often as Schlick says, the same from both sides at the two angles of one path") {
     const auto share_reflected = [](const vec3& in, bool from_outside) {
         hit_record rec;
-        rec.normal = up;
+        rec.normal = upward;
         rec.front_face = from_outside;
         scattering glass;
         glass.glass = color(1);
@@ -89,7 +89,7 @@ TEST_CASE("glass reflects as often as Schlick says, the same from both sides at 
         return number(count) / tries;
     };
     for (const number angle : {0.0, 45.0, 75.0}) {
-        const vec3 in = falling(angle * degree, 0), inside = refracted(in, up, 1 / 1.5).value();
+        const vec3 in = falling(angle * degree, 0), inside = refracted(in, upward, 1 / 1.5).value();
         const number expected = 0.04 + 0.96 * std::pow(1 - std::cos(angle * degree), 5);
         CHECK(share_reflected(in, true) == doctest::Approx(expected).epsilon(0.01));
         CHECK(share_reflected(inside, false) == doctest::Approx(expected).epsilon(0.01));

@@ -3,22 +3,17 @@
 
 #include <doctest/doctest.h>
 #include <render/mesh.hpp>
-#include <render/tokens.hpp>
 #include <render/world.hpp>
 
+#include "errors.hpp"
 #include "reader_text.hpp"
 
 using namespace render;
 
 namespace {
 
-std::string error_of(std::string_view text) {
-    try {
-        parse_mesh(text, "test.obj");
-    } catch (const scene_error& error) {
-        return error.what();
-    }
-    return "no error";
+std::string mesh_error(std::string_view text) {
+    return error_of([&] { parse_mesh(text, "test.obj"); });
 }
 
 constexpr std::string_view four_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -69,7 +64,7 @@ TEST_CASE("a wrong mesh is named with its line") {
     };
     for (const auto& row : rows) {
         CAPTURE(row.name);
-        CHECK(error_of(row.text) == "test.obj:" + row.message);
+        CHECK(mesh_error(row.text) == "test.obj:" + row.message);
     }
     CHECK_THROWS_WITH(read_mesh("none.obj"), "none.obj:1: found no such file, expected a Wavefront OBJ or PLY file");
 }

@@ -10,7 +10,6 @@ using namespace render;
 namespace {
 
 const background white{color(1), color(1)};
-const ray forward{{0, 0, -4}, {0, 0, 1}};
 
 raio::convex_polyhedron<number> polyhedron_of(const raio::box<number>& box) {
     return {{{{-1, 0, 0}, box.min.x},

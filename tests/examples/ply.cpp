@@ -5,9 +5,10 @@
 
 #include <doctest/doctest.h>
 #include <render/ply.hpp>
-#include <render/tokens.hpp>
 
 #include <raio/math/vec.hpp>
+
+#include "errors.hpp"
 
 using namespace render;
 
@@ -15,13 +16,8 @@ namespace {
 
 using vec3 = raio::vec3<double>;
 
-std::string error_of(std::string_view text) {
-    try {
-        parse_ply(text, "test.ply");
-    } catch (const scene_error& error) {
-        return error.what();
-    }
-    return "no error";
+std::string ply_error(std::string_view text) {
+    return error_of([&] { parse_ply(text, "test.ply"); });
 }
 
 /// The header of four vertices and some faces, eleven lines.
@@ -138,10 +134,10 @@ TEST_CASE("a wrong PLY file is named with its line") {
     };
     for (const auto& row : rows) {
         CAPTURE(row.name);
-        CHECK(error_of(row.text) == "test.ply:" + row.message);
+        CHECK(ply_error(row.text) == "test.ply:" + row.message);
     }
     std::string not_a_number = binary(false);
     not_a_number.replace(header("binary_little_endian").size(), 4, "\xff\xff\xff\x7f");
-    CHECK(error_of(not_a_number) ==
+    CHECK(ply_error(not_a_number) ==
           "test.ply:4: found a coordinate out of range in the vertex 0, expected 0 or a magnitude from 1e-50 to 1e50");
 }

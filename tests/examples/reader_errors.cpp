@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 #include <render/reader.hpp>
 
+#include "errors.hpp"
 #include "reader_text.hpp"
 
 namespace {
@@ -411,30 +412,20 @@ const bad_scene bad_bytes[] = {
      "1: found '0#5', expected a number for the camera's eye"},
 };
 
-std::string error_of(const std::string& text) {
-    try {
-        parse_scene(text, "scenes/test.txt", no_files);
-    } catch (const scene_error& error) {
-        return error.what();
-    }
-    return "no error";
+std::string text_error(const std::string& text) {
+    return error_of([&] { parse_scene(text, "scenes/test.txt", no_files); });
 }
 
 template <std::size_t N>
 void check(const bad_scene (&rows)[N]) {
     for (const bad_scene& row : rows) {
         CAPTURE(row.name);
-        CHECK(error_of(row.text.joined()) == "scenes/test.txt:" + row.message);
+        CHECK(text_error(row.text.joined()) == "scenes/test.txt:" + row.message);
     }
 }
 
-std::string error_of_file(const std::filesystem::path& file) {
-    try {
-        read_scene(file);
-    } catch (const scene_error& error) {
-        return error.what();
-    }
-    return "no error";
+std::string file_error(const std::filesystem::path& file) {
+    return error_of([&] { read_scene(file); });
 }
 
 }  // namespace
@@ -449,20 +440,20 @@ TEST_CASE("bytes that are no text are shown as text") { check(bad_bytes); }
 
 TEST_CASE("an empty scene ends on its first line") {
     const std::string message = "scenes/test.txt:1: found the end of the file, expected a number for the camera's eye";
-    CHECK(error_of("") == message);
-    CHECK(error_of("\n\n# nothing but words\n") == message);
+    CHECK(text_error("") == message);
+    CHECK(text_error("\n\n# nothing but words\n") == message);
 }
 
 TEST_CASE("a scene that is cut anywhere is refused on the line where it ends") {
     const std::string text = scene_text{}.joined();
     for (std::size_t size = 0; size + 3 < text.size();
          ++size) {  // behind that only the last radius and a line's end are cut
-        const std::string cut = text.substr(0, size), message = error_of(cut);
+        const std::string cut = text.substr(0, size), message = text_error(cut);
         CAPTURE(cut);
         CHECK(message != "no error");
         CHECK(message.find('\n') == message.npos);
     }
-    CHECK(error_of(text.substr(0, text.find("1  0 0 sphere") + 13) + "\n\n\n") ==
+    CHECK(text_error(text.substr(0, text.find("1  0 0 sphere") + 13) + "\n\n\n") ==
           "scenes/test.txt:5: found the end of the file, expected a number for the centre of a sphere");
 }
 
@@ -471,17 +462,17 @@ TEST_CASE("a file that is no scene is refused by name") {
     std::filesystem::create_directories(folder);
     const std::string missing = (folder / "missing.txt").string(), empty = (folder / "empty.txt").string();
     std::ofstream(empty).close();
-    CHECK(error_of_file(missing) == missing + ":1: found no such file, expected a scene file");
-    CHECK(error_of_file(folder) == folder.string() + ":1: found a directory, expected a scene file");
-    CHECK(error_of_file(empty) == empty + ":1: found the end of the file, expected a number for the camera's eye");
+    CHECK(file_error(missing) == missing + ":1: found no such file, expected a scene file");
+    CHECK(file_error(folder) == folder.string() + ":1: found a directory, expected a scene file");
+    CHECK(file_error(empty) == empty + ":1: found the end of the file, expected a number for the camera's eye");
     if (std::filesystem::exists("/dev/zero")) {
-        CHECK(error_of_file("/dev/zero") == "/dev/zero:1: found a device, expected a scene file");
+        CHECK(file_error("/dev/zero") == "/dev/zero:1: found a device, expected a scene file");
     }
 
     const std::string scene = (folder / "texture.txt").string();
     std::ofstream(scene) << scene_text{.pigments = "1\ntexture empty.txt 1 0 0 0 0 1 0 0"}.joined();
-    CHECK(error_of_file(scene) == scene +
-                                      ":4: found no picture in the texture 'empty.txt' (cannot be read, or is empty), "
-                                      "expected a picture file, named from the scene's folder");
+    CHECK(file_error(scene) == scene +
+                                   ":4: found no picture in the texture 'empty.txt' (cannot be read, or is empty), "
+                                   "expected a picture file, named from the scene's folder");
     std::filesystem::remove_all(folder);
 }

@@ -11,6 +11,7 @@
 namespace render {
 
 inline const vec3 origin(0, 0, 0);
+inline const ray forward{{0, 0, -4}, {0, 0, 1}};  ///< from the eye of every scene here
 
 /// A scene in which object number i has pigment and material number i.
 struct painted {

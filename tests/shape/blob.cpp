@@ -1,9 +1,12 @@
-#include "support/blobs.hpp"
+#include "support/algebraics.hpp"
 #include "support/bounds.hpp"
 #include "support/cases.hpp"
 #include "support/packs.hpp"
 
 namespace raio::test {
+
+template <class T>
+inline constexpr bool is_convex<blob<T>> = false;
 
 template <class T>
 struct subject<blob<T>> {

@@ -9,37 +9,6 @@
 
 namespace raio::test {
 
-template <class T>
-std::string literal(const std::vector<algebraic_term<T>>& terms);
-
-}  // namespace raio::test
-
-#include "support/print.hpp"
-
-namespace raio::test {
-
-template <class T, class Visit>
-void for_each_number(algebraic_term<T>& term, Visit visit) {
-    visit(term.coefficient);
-}
-
-template <class T>
-std::string literal(const std::vector<algebraic_term<T>>& terms) {
-    std::string text;
-    for (const auto& [coefficient, x, y, z] : terms) {
-        text += (text.empty() ? "{" : ", ") +
-                braced(literal(coefficient), std::to_string(x), std::to_string(y), std::to_string(z));
-    }
-    return text + "}";
-}
-
-template <class U, class T, std::size_t Degree, bool Closed>
-algebraic<U, Degree, Closed> converted(const algebraic<T, Degree, Closed>& s) {
-    algebraic<U, Degree, Closed> result{vec3<U>(s.min), vec3<U>(s.max), {}};
-    for (const auto& [coefficient, x, y, z] : s.terms) result.terms.push_back({U(coefficient), x, y, z});
-    return result;
-}
-
 template <class T, std::size_t Degree, bool Closed>
 inline constexpr bool is_flat<algebraic<T, Degree, Closed>> = false;
 template <class T, std::size_t Degree, bool Closed>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <sstream>
 #include <string>
 
@@ -44,12 +45,31 @@ std::string literal(const transform<T>& m) {
     return braced(literal(m.x), literal(m.y), literal(m.z), literal(m.origin));
 }
 template <class T>
-std::string literal(const std::vector<half_space<T>>& planes) {
+std::string literal(const half_space<T>& h) {
+    return braced(literal(h.normal), literal(h.offset));
+}
+template <class T>
+std::string literal(const algebraic_term<T>& term) {
+    return braced(literal(term.coefficient), std::to_string(term.x), std::to_string(term.y), std::to_string(term.z));
+}
+template <class T>
+std::string literal(const metaball<T>& m) {
+    return braced(literal(m.center), literal(m.radius), literal(m.strength), literal(m.axis));
+}
+/// Braces around all of them.
+template <class Items>
+std::string list_of_literals(const Items& items) {
     std::string text;
-    for (const half_space<T>& plane : planes) {
-        text += (text.empty() ? "{" : ", ") + braced(literal(plane.normal), literal(plane.offset));
-    }
+    for (const auto& item : items) text += (text.empty() ? "{" : ", ") + literal(item);
     return text + "}";
+}
+template <template <class> class Item, class T>
+std::string literal(const std::vector<Item<T>>& items) {
+    return list_of_literals(items);
+}
+template <class T>
+std::string literal(const std::array<metaball<T>, 8>& components) {
+    return list_of_literals(std::span(components).template first<3>());
 }
 template <primitive Shape>
 std::string literal(const Shape& shape) {

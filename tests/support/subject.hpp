@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <tuple>
 #include <vector>
 
@@ -77,6 +78,18 @@ void for_each_number(half_space<T>& h, Visit visit) {
     for_each_number(h.normal, visit), visit(h.offset);
 }
 template <class T, class Visit>
+void for_each_number(algebraic_term<T>& term, Visit visit) {
+    visit(term.coefficient);
+}
+// A blob of two or three components; the others have no effect.
+template <class T, class Visit>
+void for_each_number(std::array<metaball<T>, 8>& components, Visit visit) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        for_each_number(components[i].center, visit), visit(components[i].radius), visit(components[i].strength);
+        for_each_number(components[i].axis, visit);
+    }
+}
+template <class T, class Visit>
 void for_each_number(ray<T>& r, Visit visit) {
     for_each_number(r.origin, visit), for_each_number(r.direction, visit);
 }
@@ -109,9 +122,27 @@ transform<U> converted(const transform<T>& m) {
     return {vec3<U>(m.x), vec3<U>(m.y), vec3<U>(m.z), vec3<U>(m.origin)};
 }
 template <class U, class T>
-std::vector<half_space<U>> converted(const std::vector<half_space<T>>& planes) {
-    std::vector<half_space<U>> result;
-    for (const half_space<T>& plane : planes) result.push_back({vec3<U>(plane.normal), U(plane.offset)});
+half_space<U> converted(const half_space<T>& h) {
+    return {vec3<U>(h.normal), U(h.offset)};
+}
+template <class U, class T>
+algebraic_term<U> converted(const algebraic_term<T>& term) {
+    return {U(term.coefficient), term.x, term.y, term.z};
+}
+template <class U, class T>
+metaball<U> converted(const metaball<T>& m) {
+    return {vec3<U>(m.center), U(m.radius), U(m.strength), vec3<U>(m.axis)};
+}
+template <class U, template <class> class Item, class T>
+std::vector<Item<U>> converted(const std::vector<Item<T>>& items) {
+    std::vector<Item<U>> result;
+    for (const Item<T>& item : items) result.push_back(converted<U>(item));
+    return result;
+}
+template <class U, template <class> class Item, class T, std::size_t N>
+std::array<Item<U>, N> converted(const std::array<Item<T>, N>& items) {
+    std::array<Item<U>, N> result;
+    for (std::size_t i = 0; i < N; ++i) result[i] = converted<U>(items[i]);
     return result;
 }
 template <class U, template <real, auto...> class Shape, real T, auto... Options>
@@ -123,6 +154,10 @@ auto converted(const Shape<T, Options...>& shape) {
 template <std::same_as<oracle> U, real T>
 triangle<U> converted(const watertight_triangle<T>& s) {
     return {vec3<U>(s.a), vec3<U>(s.b), vec3<U>(s.c)};
+}
+template <class U, real T, std::size_t Degree, bool Closed>
+algebraic<U, Degree, Closed> converted(const algebraic<T, Degree, Closed>& shape) {
+    return {converted<U>(shape.min), converted<U>(shape.max), converted<U>(shape.terms)};
 }
 template <class U, real T>
 convex_polyhedron<U> converted(const convex_polyhedron<T>& shape) {
