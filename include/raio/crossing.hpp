@@ -149,8 +149,11 @@ RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& erro
     // No slope at all is certain where no term of it has a size: not where one was too small for its digits, or is not
     // in the range. Three products may have lost half of the smallest number each: less than a rounding of this.
     const E least(last_precision<W> ? 0.0 : 4 * least_normal<W>);
-    const mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= least);
-    return {slope, error, quotient(W(1), slope, W(0)), every(size > tie<W>(error), in_range),
+    W inverse = quotient(W(1), slope, W(0));
+    mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= least);
+    // The last precision has no t for a slope that has no inverse: beside that, the line runs parallel.
+    if constexpr (last_precision<W>) in_range = every(in_range, is_finite(E(inverse)));
+    return {slope, error, inverse, every(size > tie<W>(error), in_range),
             every(size >= E(2) * error, in_range, has_digits)};
 }
 

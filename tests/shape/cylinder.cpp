@@ -111,6 +111,16 @@ TEST_CASE_TEMPLATE("open_cylinder: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+/// Of the rise of these rays there is no inverse (a cap that had no t for it was crossed anywhere).
+TEST_CASE("cylinder: rays that never rise as far as a cap") {
+    const cylinder<double> tower{{0, 0, 0}, {0, 0, 12}, 13};
+    check_cases<cylinder<double>>({
+        {"below the base", tower, {{-5, -5, -2.5}, {-1, 0, 0x1p-1074}}, misses},
+        {"above the top", tower, {{-5, -5, 12.5}, {-1, 0, 0x1p-1074}}, misses},
+        {"between them", tower, {{-5, -5, 2.5}, {-1, 0, 0x1p-1074}}, leaves(7)},
+    });
+}
+
 TEST_CASE_TEMPLATE("open_cylinder: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<open_cylinder<T>>();
 }
