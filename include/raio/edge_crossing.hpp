@@ -80,9 +80,12 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
     }
     mask_t<W> meets = every(size > tie<W>(size_error), within >= -tie<W>(error));
     // A tie at a corner is much closer than the error of the far edge; and none is farther outside than 2^-30 of an
-    // edge, for which the bounds of floats have room (2^-29 of a coordinate), however little is known of a sliver.
+    // edge, for which the bounds of floats have room (2^-29 of a coordinate), nor t from u and v, however little is
+    // known of a sliver.
     if constexpr (last_precision<W>) {
-        meets = every(meets, u >= -u_error, v >= -v_error, within >= W(-0x1p-30) * size);
+        vec3<W> apart = s + direction * t - (e1 * (u * over_size) + e2 * (v * over_size));
+        E room = E(0x1p-30) * (norm1(vec3<E>(e1)) + norm1(vec3<E>(e2)));
+        meets = every(meets, u >= -u_error, v >= -v_error, within >= W(-0x1p-30) * size, norm1(vec3<E>(apart)) <= room);
     }
     crossing<W> c{.exists = meets,
                   .certain = every(crosses, some(outside, within > error)),

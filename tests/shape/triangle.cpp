@@ -18,6 +18,18 @@ TEST_CASE("triangle: ties that double_double cannot tell") {
     });
 }
 
+/// 2^87 long and 2^-62 wide. Of t two doubles know nothing, and where the ray is at t is far from the sliver.
+TEST_CASE("triangle: a sliver that a ray leaves behind") {
+    check_cases<triangle<float>>({
+        {"along it (t was any number in the window)",
+         {{-0x1.41414p-62f, -0x1.41414p-62f, -0x1.41414p-62f},
+          {-0x1.41414p-62f, -0x1.41414p-124f, 0x1.d6d6d6p+87f},
+          {0x1.d6d6d6p+87f, 0x1.d6d6d6p+87f, -0x1.0000d6p-31f}},
+         {{0x1.d6d6d6p+87f, 0x1.d6d6d6p+87f, -0x1.e2d6d6p+100f}, {0x1.001p-137f, 0, -0x1.801006p+113f}},
+         misses},
+    });
+}
+
 TEST_CASE_TEMPLATE("triangle: properties of every shape", T, RAIO_NUMBERS) { check_properties<triangle<T>>(); }
 
 TEST_CASE_TEMPLATE("triangle: as exact arithmetic", T, RAIO_NUMBERS) {
