@@ -106,7 +106,9 @@ template <int Roundings, bool Spare, class W, class Power>
         error = select(brief, error, far);
     }
     const mask_t<W> certain = some(apart, crossed);
-    vec2<W> t = quadratic_roots(over_a, b, dot(l, l) - radius * radius, s);
+    // Where the square of the radius has lost digits, the power is not known.
+    W r2 = radius * radius, power_of_l = select(r2 >= W(least / u), dot(l, l) - r2, infinity<W>);
+    vec2<W> t = quadratic_roots(over_a, b, power_of_l, s);
     W near = t.x, far = t.y;
     E near_error = error, far_error = error;
     if constexpr (only_sieves<W>) {

@@ -69,6 +69,15 @@ TEST_CASE("sphere: met where the ray's speed and its distance have a product tha
     CHECK(ball.occluded({{0, 0x1p68, 0}, {0, 0, 0x1p421}}, 0.0, infinity<double>));
 }
 
+/// The square of the radius is 0, and so was the power of a point anywhere in it.
+TEST_CASE("sphere: of a radius without a square, from inside (it was left and entered at 0)") {
+    const sphere<double> ball{{0, 0, 0}, 0x1p-719};
+    hit_record<double> rec;
+    REQUIRE(ball.hit({{0, 0, 0}, {0, 0, 0x1p262}}, 0.0, infinity<double>, rec));
+    CHECK((rec.t == 0x1p-981 && !rec.front_face));
+    CHECK(!ball.occluded({{0, 0, 0}, {0, 0, 0x1p262}}, -0x1p-982, 0x1p-982));
+}
+
 TEST_CASE("sphere: from a point that lies on it exactly, and no root of 53 bits says so") {
     check_cases<sphere<float>>({
         {"inwards",

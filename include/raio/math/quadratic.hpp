@@ -6,6 +6,7 @@ namespace raio {
 
 /// The two solutions of a t^2 - 2 b t + c = 0, the lower one first.
 /// \param over_a  1 / a, above 0
+/// \param c       infinite if it is not known
 /// \param s       the root of b^2 - a c, found without that difference, which cancels
 ///
 /// Of b - s and b + s one cancels where c is small: where the ray starts near the surface. Their product is a c, so the
