@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <raio/math/simd.hpp>
+#include <raio/shape/box.hpp>
 
 #include "support/random.hpp"
 
@@ -129,6 +130,21 @@ TEST_CASE("sift: what double finds, for floats, is rounded to them before it cou
     const auto between = found(1 + u, 0.1 * u, 0, 2);
     CHECK(all(between.sure));
     CHECK((between.low[2] == 1 && between.high[2] == 1 + 2 * static_cast<float>(u)));
+}
+
+TEST_CASE_TEMPLATE("first_hit, any_hit: nothing is met at either infinity, nor where the window is none", T,
+                   RAIO_NUMBERS) {
+    using P = pack<T, 4>;
+    const box<P> around{vec3<P>(P(-1)), vec3<P>(P(1))};
+    const ray<P> hardly_moving{vec3<P>(P(0)), vec3<P>(P(std::numeric_limits<T>::denorm_min()))};
+    const ray<P> moving{vec3<P>(P(0)), vec3<P>(P(1))};
+    hit_record<P> rec;
+    const P ever(infinity<T>), nan(std::numeric_limits<T>::quiet_NaN());
+    CHECK(none(around.hit(hardly_moving, -ever, ever, rec)));
+    CHECK(none(around.occluded(hardly_moving, -ever, ever)));
+    CHECK((all(around.hit(moving, -ever, ever, rec)) && rec.t[2] == -1));
+    CHECK(none(around.hit(moving, nan, ever, rec)));
+    CHECK(none(around.occluded(moving, -ever, nan)));
 }
 
 TEST_CASE("retrieved: what a sieve is sure of is found again, or left open") {

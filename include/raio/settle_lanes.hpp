@@ -120,7 +120,7 @@ concept sifts = requires(const Shape shape, const ray<T> ray, const T t) {
     sift(shape.template crossings<T>(ray), t, t);
 };
 
-/// What the pack's own precision makes of it, with t_max a number.
+/// What the pack's own precision makes of it, with ends of the window that are numbers.
 template <question Asked, class Shape, class T>
 RAIO_FN sifted<T> sieve(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max) {
     using found = decltype(crossings_for<T, Asked>(shape, ray, t_min, t_max));
@@ -162,10 +162,11 @@ RAIO_FN auto look_again(const Shape& shape, const ray<T>& ray, const T& t_min, c
     }
 }
 
-/// What is at infinity is missed.
+/// An end of a window that may be infinite: what is at infinity is missed.
 template <class T>
-RAIO_FN T within_numbers(const T& t_max) {
-    return min(t_max, T(std::numeric_limits<scalar_t<T>>::max()));
+RAIO_FN T within_numbers(const T& end) {
+    const T most(std::numeric_limits<scalar_t<T>>::max());
+    return max(min(end, most), -most);
 }
 
 }  // namespace detail
@@ -174,7 +175,7 @@ RAIO_FN T within_numbers(const T& t_max) {
 template <detail::has_lanes T, class Shape, real R>
 RAIO_FLATTEN RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
     if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
-        t_max = detail::within_numbers(t_max);
+        t_min = detail::within_numbers(t_min), t_max = detail::within_numbers(t_max);
         const auto found =
             detail::sift(detail::crossings_for<T, detail::question::whether>(shape, ray, t_min, t_max), t_min, t_max);
         const std::uint32_t open = bits(found.open);
@@ -195,7 +196,8 @@ RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, 
     mask_t<T> met(false);
     std::uint32_t left = detail::every_lane<T>;  // who has not been answered
     if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
-        detail::sifted<T> found = detail::sieve<Asked>(shape, ray, t_min, detail::within_numbers(t_max));
+        detail::sifted<T> found =
+            detail::sieve<Asked>(shape, ray, detail::within_numbers(t_min), detail::within_numbers(t_max));
         const std::uint32_t sure = bits(found.sure);
         left = sure | bits(found.open);
         if (left == 0) return false;

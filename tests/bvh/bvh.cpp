@@ -189,6 +189,15 @@ TEST_CASE_TEMPLATE("bvh: a crossing at infinity is none (packs took it for one b
     CHECK(!bvh{shapes}.occluded(along, T(0), infinity<T>));
 }
 
+TEST_CASE_TEMPLATE("bvh: nor is one at minus infinity (packs took that for the one where the window begins)", T,
+                   RAIO_NUMBERS) {
+    const std::vector<box<T>> shapes{{{-1, -1, -1}, {1, 1, 1}}, {{-2, -2, -2}, {2, 2, 2}}};
+    const ray<T> hardly_moving{{0, 0, 0}, vec3<T>(std::numeric_limits<T>::denorm_min())};
+    hit_record<T> rec;
+    CHECK(!bvh{shapes}.hit(hardly_moving, -infinity<T>, T(1), rec));
+    CHECK(!bvh{shapes}.occluded(hardly_moving, -infinity<T>, T(1)));
+}
+
 TEST_CASE("bvh: a sphere whose radius has no square is met as one of its own (the tree met it, the loop did not)") {
     const std::vector<sphere<double>> shapes{{{0, -0x1p531, 0}, 0x1.4p567}, {{0x1p567, 0, 0x1p567}, 1}};
     const ray<double> along{{0x1p-349, 0x1p-349, 0}, {0x1p-351, 0, 0}};

@@ -114,7 +114,7 @@ public:
         const block& b = blocks_[i];
         const ray<N> in_every_lane{vec3<N>(vec3<scalar_t<N>>(along.origin)),
                                    vec3<N>(vec3<scalar_t<N>>(along.direction))};
-        t_max = std::min(t_max, std::numeric_limits<T>::max());  // what is at infinity is missed
+        t_min = within_numbers(t_min), t_max = within_numbers(t_max);
         S from = t_min, to = t_max;  // more digits than T has may be rounded into the window
         if constexpr (!std::same_as<S, T>) from = widened<S>(t_min, -1), to = widened<S>(t_max, 1);
         using numbers = pack<T, lanes>;

@@ -63,7 +63,7 @@ private:
         const auto& leaves = std::get<Kind>(leaves_.all);
         using own = pack<T, std::remove_cvref_t<decltype(leaves)>::lanes>;
         const auto& packed = leaves.shapes(block);
-        const P from(t_min_);
+        const P from(within_numbers(t_min_));
         const std::size_t first = g * P::lanes;
         for (; shapes != 0; shapes &= shapes - 1) {
             const auto lane = static_cast<unsigned>(std::countr_zero(shapes));
