@@ -11,7 +11,16 @@ template <real W>
 RAIO_FN constexpr slope_along<W> speed_across(const vec3<W>& normal, const vec3<W>& direction) {
     using E = bound_t<W>;
     E error = E(4 * unit_roundoff<W>) * dot(abs(vec3<E>(normal)), abs(vec3<E>(direction)));
-    return slope_of(dot(normal, direction), error);
+    slope_along<W> speed = slope_of(dot(normal, direction), error);
+    // Nothing is certain where all that there is are products too small for any number.
+    const mask_t<W> nothing = speed.value == W(0);
+    if (any(nothing)) {
+        const auto no_product = [](const W& a, const W& b) { return some(a == W(0), b == W(0)); };
+        const mask_t<W> parallel = every(no_product(normal.x, direction.x), no_product(normal.y, direction.y),
+                                         no_product(normal.z, direction.z));
+        speed.certain = every(speed.certain, some(!nothing, parallel));
+    }
+    return speed;
 }
 
 /// Where a line crosses a plane, at t = -height / normal.direction; nowhere, if it runs parallel, inside the plane

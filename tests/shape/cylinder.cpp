@@ -121,6 +121,16 @@ TEST_CASE("cylinder: rays that never rise as far as a cap") {
     });
 }
 
+/// What floats make of the products of its axis and the ray is 0 (packs took that for a ray along the caps).
+TEST_CASE("cylinder: all but a disc, whose axis is 2^-45 long, in packs") {
+    using P = pack<float, 4>;
+    const vec3<float> base(0x1p-127f, 0x1.fcp-128f, 0x1.f8p-128f), top(0x1.fcp-128f, 0x1.60ba8p-45f, 0x1.fcp-128f);
+    const cylinder<P> packed{vec3<P>(base), vec3<P>(top), P(0x1.8p+59f)};
+    const ray<float> r{{0x1.80526p-126f, 0x1.7fp-41f, -0x1.625656p+5f}, {0x1.56p-41f, 0x1.0acacp-131f, 0x1.48p-124f}};
+    REQUIRE(cylinder<float>{base, top, 0x1.8p+59f}.occluded(r, 0, infinity<float>));
+    CHECK(all(packed.occluded({vec3<P>(r.origin), vec3<P>(r.direction)}, P(0), P(infinity<float>))));
+}
+
 TEST_CASE_TEMPLATE("open_cylinder: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<open_cylinder<T>>();
 }
