@@ -146,8 +146,9 @@ template <real W>
 RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& error) {
     using E = bound_t<W>;
     E size = abs(E(slope));
-    // No slope at all is certain where no term of it has a size: not where one was too small for its digits, or is not
-    // in the range. Three products may have lost half of the smallest number each: less than a rounding of this.
+    // No slope at all is certain, unless products were lost whole, which only who multiplied can say (`speed_across`);
+    // one that is too small for its digits, or is not in the range, is not. Three products may have lost half of the
+    // smallest number each: less than a rounding of this.
     const E least(last_precision<W> ? 0.0 : 4 * least_normal<W>);
     W inverse = quotient(W(1), slope, W(0));
     mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= least);
