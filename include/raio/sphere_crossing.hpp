@@ -71,10 +71,10 @@ template <int Roundings, bool Spare, class W, class Power>
         // is on the same side of |d| radius if its square is farther from that than e (2 |d| radius + e). The size of a
         // vector is the sum of its components here, at most 1.74 times its length. Where a closer look can follow, the
         // lengths' squares do: 2 e |d| radius is at most part |d|^2 radius^2 + e^2 / part. (Any part will do: a larger
-        // one leaves more tangents open, and a smaller one more of what is far away.)
+        // one leaves more tangents open, and a smaller one more of what is far away. And l may have lost its square.)
         if constexpr (std::same_as<scalar_t<W>, strict_double>) {
             constexpr double part = 0x1p-21, of_sizes = 256 * Roundings * Roundings * u * u / part;
-            direct_error = E(2 * part) * (E(ar2) + E(passed2)) + E(of_sizes) * (E(a) * E(dot(l, l)));
+            direct_error = E(2 * part) * (E(ar2) + E(passed2)) + E(of_sizes) * (E(a) * (E(dot(l, l)) + E(least)));
         } else {
             E d_size = norm1(vec3<E>(d)), e = E(4 * Roundings * u) * norm1(vec3<E>(l)) * d_size;
             direct_error =

@@ -69,6 +69,20 @@ TEST_CASE("sphere: met where the ray's speed and its distance have a product tha
     CHECK(ball.occluded({{0, 0x1p68, 0}, {0, 0, 0x1p421}}, 0.0, infinity<double>));
 }
 
+/// Its square is 0, and so was the bound of the error.
+TEST_CASE(
+    "sphere: 2^272 radii away from a ray that starts within 1e-180 of it is missed, whatever the window (was "
+    "hit before t = 1, but not before its own t)") {
+    const sphere<double> ball{{0, 0, 0}, 0x1p-879};
+    const ray<double> along{{0x1p-900, -0x1p-607, 0x1p-900}, {0x1p-877, 0x1p422, 0x1p-879}};
+    for (const double t_max : {0x1p-1029, 1.0, infinity<double>}) {
+        hit_record<double> rec;
+        CAPTURE(t_max);
+        CHECK(!ball.hit(along, 0.0, t_max, rec));
+        CHECK(!ball.occluded(along, 0.0, t_max));
+    }
+}
+
 /// The square of the radius is 0, and so was the power of a point anywhere in it.
 TEST_CASE("sphere: of a radius without a square, from inside (it was left and entered at 0)") {
     const sphere<double> ball{{0, 0, 0}, 0x1p-719};
