@@ -6,6 +6,7 @@
 
 #include <raio/math/simd.hpp>
 #include <raio/shape/box.hpp>
+#include <raio/shape/sphere.hpp>
 
 #include "support/random.hpp"
 
@@ -145,6 +146,51 @@ TEST_CASE_TEMPLATE("first_hit, any_hit: nothing is met at either infinity, nor w
     CHECK((all(around.hit(moving, -ever, ever, rec)) && rec.t[2] == -1));
     CHECK(none(around.hit(moving, nan, ever, rec)));
     CHECK(none(around.occluded(moving, -ever, nan)));
+}
+
+TEST_CASE(
+    "sift: a t that has no digits left is known to the smallest normal number (trees took one of two that are as "
+    "near for the nearer)") {
+    using P = pack<double, 4>;
+    random_numbers random(21);
+    const auto place = [&](double size) {
+        return vec3<double>(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
+    };
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const sphere<double> ball{place(0x1p-540), 0x1p-541};
+        ray<double> along{place(0x1p-538), {}};
+        along.direction = (ball.center - along.origin) * 0x1p1020 * 0x1p25 + place(0x1p503);
+        hit_record<double> rec;
+        if (!ball.hit(along, 0.0, infinity<double>, rec)) continue;
+        ++hits;
+        const sphere<P> balls{vec3<P>(ball.center), P(ball.radius)};
+        const ray<P> rays{vec3<P>(along.origin), vec3<P>(along.direction)};
+        const auto found = detail::sift(balls.crossings<P>(rays), P(-1), P(1));
+        CHECK((all(found.sure) && found.low[1] <= rec.t && rec.t <= found.high[1]));
+    }
+    CHECK(hits > 800);
+}
+
+TEST_CASE_TEMPLATE(
+    "first_hit, any_hit: a box whose faces are farther away than any number is met or missed as by a "
+    "plain ray (missed)",
+    T, RAIO_NUMBERS) {
+    using P = pack<T, 4>;
+    constexpr T most = std::numeric_limits<T>::max();
+    const P zero(0), far(most / 2), ever(infinity<T>);
+    const box<P> boxes{{zero, far, zero}, {far, P(most), far}};
+    for (const T slope : {T(0.25), T(1)}) {  // the steeper ray is past the box before it has risen to it
+        CAPTURE(slope);
+        const ray<P> rays{{zero, P(-most / 4 * 3), zero}, vec3<P>(P(8 * slope), P(8), P(8 * slope))};
+        hit_record<P> recs;
+        hit_record<T> rec;
+        const bool hit = detail::in_lane<P>(boxes, 1).hit(detail::in_lane<P>(rays, 1), 0, infinity<T>, rec);
+        CHECK(hit == (std::same_as<T, float> && slope < 1));  // double has no wider numbers
+        check_lanes(boxes.hit(rays, zero, ever, recs), hit);
+        check_lanes(boxes.occluded(rays, zero, ever), hit);
+        if (hit) CHECK(recs.t[1] == rec.t);
+    }
 }
 
 TEST_CASE("retrieved: what a sieve is sure of is found again, or left open") {

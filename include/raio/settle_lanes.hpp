@@ -34,8 +34,11 @@ struct rounded_crossing {
     mask_t<T> inside, beyond;  ///< known to be in the window, or beyond it
     mask_t<T> passed;          ///< known to be before it, or not at all
 
-    RAIO_FN rounded_crossing(const crossing<W>& c, const T& t_min, const T& t_max)
-        : low(c.t - c.error), high(c.t + c.error) {
+    RAIO_FN rounded_crossing(const crossing<W>& c, const T& t_min, const T& t_max) {
+        bound_t<W> error = c.error;
+        // The bounds of floats count what is lost near their smallest number; of doubles only t comes near theirs.
+        if constexpr (!std::same_as<scalar_t<W>, float>) error += bound_t<W>(least_normal<W>);
+        low = T(c.t - error), high = T(c.t + error);
         const mask_t<T> certain = c.certain, exists = every(certain, c.exists);
         inside = every(exists, t_min <= low, high <= t_max);
         beyond = every(exists, t_max < low);

@@ -54,11 +54,13 @@ struct box {
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
+        W all_ways(0);  // finite only if the way to every face is
         // Where the line enters and leaves the slab across one axis.
-        const auto slab = [](R origin, R direction, T low, T high) {
+        const auto slab = [&all_ways](R origin, R direction, T low, T high) {
             W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
             const auto way_to = [&](T face) {
                 W apart = difference_as<W>(face, origin), t = apart * over_d;
+                all_ways = all_ways + apart;
                 if constexpr (last_precision<W>) {  // whose products are no numbers beyond its range
                     if (!is_finite(t)) t = (apart > W(0)) == (over_d > W(0)) ? inf : -inf;
                 }
@@ -86,6 +88,7 @@ struct box {
         W inside = far - near;
         const mask_t<W> meets = inside >= -tie<W>(near_error + far_error);
         mask_t<W> certain = abs(E(inside)) > near_error + far_error;
+        if constexpr (!(has_room_for<T, W> && has_room_for<R, W>)) certain = every(certain, is_finite(all_ways));
         if constexpr (std::same_as<scalar_t<W>, float>) {  // whose quotient of 1 may have lost digits, or be infinite
             const auto sound = [](const W& d) {
                 return some(d == W(0), every(abs(d) >= W(4 * least_normal<W>), abs(d) <= W(0.25 / least_normal<W>)));
