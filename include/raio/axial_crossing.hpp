@@ -17,14 +17,14 @@ RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>
                                       const plane_height<W>& above_top, const vec3<W>& d) {
     using E = bound_t<W>;
     const slope_along<W> speed = speed_across(axis, d);
-    W low = -above_base.value * speed.inverse, high = -above_top.value * speed.inverse;
-    E low_error = speed.error_of(E(low), above_base.error), high_error = speed.error_of(E(high), above_top.error);
+    bounded_number<W> low = speed.zero_of(above_base.value, above_base.error);
+    bounded_number<W> high = speed.zero_of(above_top.value, above_top.error);
     const mask_t<W> yes = W(0) == W(0), upward = !(speed.value < W(0));
     const index_t<W> base_face(1), top_face(2);
     // Each plane has an error of its own: at a tip that lies in one, it is all but none.
-    E near_error = select(upward, low_error, high_error), far_error = select(upward, high_error, low_error);
-    chord<W> c{{yes, speed.certain, min(low, high), near_error, yes, select(upward, base_face, top_face)},
-               {yes, speed.certain, max(low, high), far_error, !yes, select(upward, top_face, base_face)}};
+    E near_error = select(upward, low.error, high.error), far_error = select(upward, high.error, low.error);
+    chord<W> c{{yes, speed.certain, min(low.value, high.value), near_error, yes, select(upward, base_face, top_face)},
+               {yes, speed.certain, max(low.value, high.value), far_error, !yes, select(upward, top_face, base_face)}};
     const mask_t<W> parallel = !speed.exists;
     if (any(parallel)) {
         const mask_t<W> between =

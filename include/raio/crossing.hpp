@@ -133,12 +133,19 @@ struct slope_along {
     W inverse;                  ///< 0 where there is no slope
     mask_t<W> exists, certain;  ///< is there a slope, and is that right whatever the rounding errors were?
 
-    /// Bound of the error of t = -value / slope: with the slope above twice its error, 1 / (|slope| - error) is at most
-    /// 2 / |slope|.
-    RAIO_FN constexpr E error_of(const E& t, const E& value_error) const {
-        E size = abs(t);
-        E of_both = E(2) * (value_error + size * error) * abs(E(inverse));
-        return with_underflow<W>(of_both + E(4 * unit_roundoff<W>) * size);
+    /// Where the function is zero that has this value at t = 0: at t = -value / slope. With the slope above twice its
+    /// error, 1 / (|slope| - error) is at most 2 / |slope|.
+    RAIO_FN constexpr bounded_number<W> zero_of(const W& at_0, const E& at_0_error) const {
+        W t = -at_0 * inverse;
+        E size = abs(E(t)), of_both = E(2) * (at_0_error + size * error) * abs(E(inverse));
+        bounded_number<W> zero{t, with_underflow<W>(of_both + E(4 * unit_roundoff<W>) * size)};
+        if constexpr (last_precision<W>) {
+            // Farther away than any number it is infinitely far, and in that direction beyond doubt.
+            const mask_t<W> beyond = every(!is_finite(size), abs(E(at_0)) > at_0_error);
+            zero.value = select(beyond, W(-E(at_0) * E(inverse)), t);
+            zero.error = select(beyond, E(0), zero.error);
+        }
+        return zero;
     }
 };
 
@@ -162,11 +169,11 @@ RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& erro
 /// method.
 template <real W>
 RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value_error, const slope_along<W>& slope) {
-    W t = -value * slope.inverse;
+    bounded_number<W> t = slope.zero_of(value, value_error);
     return {.exists = slope.exists,
             .certain = slope.certain,
-            .t = t,
-            .error = slope.error_of(bound_t<W>(t), value_error),
+            .t = t.value,
+            .error = t.error,
             .entering = slope.value < W(0)};
 }
 

@@ -70,7 +70,16 @@ TEST_CASE("cylinder: of 1e-96, whose fourth powers are no numbers (hit from anyw
           {{0, 0, 0}, {0, 0x1p-317, 0x1p-317}, 0x1p-319},
           {{0x1p-317, 0x1p-317, 0}, {0x1p-315, 0x1p-317, 0x1p-317}},
           misses},
+         {"along it, beside it", {{0, 0, 0}, {0x1p-336, 0, 0}, 0x1p-348}, {{0, 0x1p-303, 0}, {1, 0, 0}}, misses},
          {"all but along it", {{0, 0, 0}, {0, 0, 2}, 1}, {{0, 0, -1}, {0x1p-600, 0, 1}}, enters(1)}});
+}
+
+TEST_CASE("cylinder: above its top, and along it until beyond the largest number (hit there)") {
+    const cylinder<double> low{{0, 0, 0}, {0, 0.625, 0}, 4.75};
+    check_cases<cylinder<double>>({{"rises", low, {{2, 5.125, 0.125}, {1, 0x1p-1022, 0}}, misses},
+                                   {"falls", low, {{2, 5.125, 0.125}, {1, -0x1p-1022, 0}}, misses},
+                                   {"rises from below it", low, {{2, -4.5, 0}, {1, 0x1p-1022, 0}}, misses},
+                                   {"rises from within", low, {{0, 0.5, 0}, {1, 0x1p-1022, 0}}, leaves(4.75)}});
 }
 
 TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, RAIO_NUMBERS) { check_properties<cylinder<T>>(); }

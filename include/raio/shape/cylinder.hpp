@@ -46,8 +46,10 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     E s2_error = with_underflow<W>(E(r2) * a_error + passed2_error + E(8 * u) * (E(ar2) + E(passed2)));
     // A radius that the last precision cannot tell from none leaves no normal: such a cylinder is missed.
     E resolved = tie<W>(E(0x1p30 * u * u) * l_size * l_size);
-    // So is one whose numbers are so small that their fourth powers are lost, unless the line is all but parallel.
-    const mask_t<W> in_range = some(ar2 >= W(least), n_size <= E(4 * u) * n_error);
+    // So is one whose numbers are so small that their fourth powers are lost; if the line is all but parallel, those of
+    // the cylinder alone.
+    W inner2 = axis2 * r2;
+    const mask_t<W> in_range = every(inner2 >= W(least), some(ar2 >= W(least), n_size <= E(4 * u) * n_error));
     const mask_t<W> sound =
         every(radius > T(0), E(r2) >= E(least) + resolved, axis2 >= W(least), d2 >= W(least), in_range);
     const mask_t<W> parallel = a == zero, apart = every(sound, s2 < -s2_error);
@@ -55,7 +57,7 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     if (may_leave<W>(!meets)) return nowhere<W>(apart);
 
     vec3<W> m = cross(l, axis);
-    W b = dot(m, n), beside2 = dot(m, m), inner2 = axis2 * r2, under_root = axis2 * max(s2, zero);
+    W b = dot(m, n), beside2 = dot(m, m), under_root = axis2 * max(s2, zero);
     W s = sqrt(under_root), over_a = quotient(W(1), a, zero);
     E beside2_error = E(0x1p8 * u) * (E(beside2) + E(dot(l, l)) * E(axis2));
     const mask_t<W> exists = every(meets, some(!parallel, beside2 - inner2 <= tie<W>(beside2_error)));
