@@ -90,7 +90,7 @@ private:
         record_point_between({box.min, box.max}, ray, crossing<T>{true, true, t, T(0), entering}, rec);
         const T step = T(std::cbrt(static_cast<double>(unit_roundoff<T>))) * norm1(vec3<T>(box.max - box.min));
         const auto rise = [&](const vec3<T>& along) {
-            return (distance(rec.point + along * step) - distance(rec.point - along * step)) / (T(2) * step);
+            return quotient(distance(rec.point + along * step) - distance(rec.point - along * step), T(2) * step, T(0));
         };
         vec3<T> slope(rise({T(1), T(0), T(0)}), rise({T(0), T(1), T(0)}), rise({T(0), T(0), T(1)}));
         const T steepness = length(slope), side = entering ? T(1) : T(-1);
