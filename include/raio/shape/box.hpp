@@ -88,13 +88,12 @@ struct box {
         W inside = far - near;
         const mask_t<W> meets = inside >= -tie<W>(near_error + far_error);
         mask_t<W> certain = abs(E(inside)) > near_error + far_error;
-        if constexpr (!(has_room_for<T, W> && has_room_for<R, W>)) certain = every(certain, is_finite(all_ways));
-        if constexpr (std::same_as<scalar_t<W>, float>) {  // whose quotient of 1 may have lost digits, or be infinite
-            const auto sound = [](const W& d) {
-                return some(d == W(0), every(abs(d) >= W(4 * least_normal<W>), abs(d) <= W(0.25 / least_normal<W>)));
-            };
+        // Of floats a quotient of 1 may be infinite, or have lost digits; and a way, where double says how far it is.
+        if constexpr (std::same_as<scalar_t<W>, float>) {
+            const auto has_quotient = [](const W& d) { return some(d == W(0), abs(d) >= W(4 * least_normal<W>)); };
             vec3<W> d(ray.direction);
-            certain = every(certain, sound(d.x), sound(d.y), sound(d.z));
+            const mask_t<W> in_range = is_finite(abs(all_ways) + W(16) * norm1(d));
+            certain = every(certain, has_quotient(d.x), has_quotient(d.y), has_quotient(d.z), in_range);
         }
         if (may_leave<W>(!meets))
             return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
