@@ -64,6 +64,22 @@ TEST_CASE("cylinder: outwards from all but its rim (hit what it had left)") {
           misses}});
 }
 
+TEST_CASE_TEMPLATE("cylinder: beside it, and all but parallel to its axis (hit, where that came closest)", T,
+                   RAIO_NUMBERS) {
+    const cylinder<T> straight{{0, 0, 0}, {0, -14, 0}, 6}, askew{{0, 0, 0}, {-14, -14, 0}, 6};
+    for (const int power : {-149, -120, -90, -88, -86, -84, -80, -60, -40}) {
+        CAPTURE(power);
+        const T tilt = std::ldexp(T(1), power);
+        check_cases<cylinder<T>>(
+            {{"straight, an eighth", straight, {{6.75, 0, 0}, {0, 6, tilt}}, misses},
+             {"straight, a little", straight, {{T(6 + 0x1p-18), 0, 0}, {0, 6, tilt}}, misses},
+             {"straight, on its way", straight, {{T(6 + 0x1p-18), -20, 0}, {0, 6, -tilt}}, misses},
+             {"straight, a little within", straight, {{T(6 - 0x1p-18), 0, 0}, {0, 6, tilt}}, leaves(0)},
+             {"askew, a little", askew, {{0, 0, T(6 + 0x1p-18)}, {6 - tilt, 6 + tilt, 0}}, misses},
+             {"askew, a little, towards it", askew, {{5, -5, 0}, {6, 6, tilt}}, misses}});
+    }
+}
+
 TEST_CASE("cylinder: of 1e-96, whose fourth powers are no numbers (hit from anywhere)") {
     check_cases<cylinder<double>>(
         {{"askew, past it",

@@ -46,23 +46,29 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     E s2_error = with_underflow<W>(E(r2) * a_error + passed2_error + E(8 * u) * (E(ar2) + E(passed2)));
     // A radius that the last precision cannot tell from none leaves no normal: such a cylinder is missed.
     E resolved = tie<W>(E(0x1p30 * u * u) * l_size * l_size);
-    // So is one whose numbers are so small that their fourth powers are lost; if the line is all but parallel, those of
-    // the cylinder alone.
-    W inner2 = axis2 * r2;
-    const mask_t<W> in_range = every(inner2 >= W(least), some(ar2 >= W(least), n_size <= E(4 * u) * n_error));
+    // A line that is all but parallel to the axis is so to the last precision, which knows nothing else of where such a
+    // line meets the endless side.
+    E all_but = E(last_precision<W> ? 0x1p32 : 4 * u) * n_error;
+    mask_t<W> parallel = a == zero;
+    if constexpr (last_precision<W>) parallel = n_size <= all_but;
+    // A cylinder so small that fourth powers are lost is missed.
+    const mask_t<W> in_range = some(ar2 >= W(least), n_size <= all_but);
     const mask_t<W> sound =
         every(radius > T(0), E(r2) >= E(least) + resolved, axis2 >= W(least), d2 >= W(least), in_range);
-    const mask_t<W> parallel = a == zero, apart = every(sound, s2 < -s2_error);
+    const mask_t<W> apart = every(sound, s2 < -s2_error);
     const mask_t<W> meets = every(sound, some(parallel, s2 >= -tie<W>(s2_error)));
     if (may_leave<W>(!meets)) return nowhere<W>(apart);
 
     vec3<W> m = cross(l, axis);
-    W b = dot(m, n), beside2 = dot(m, m), under_root = axis2 * max(s2, zero);
+    W b = dot(m, n), beside2 = dot(m, m), inner2 = axis2 * r2, c = beside2 - inner2, under_root = axis2 * max(s2, zero);
     W s = sqrt(under_root), over_a = quotient(W(1), a, zero);
-    E beside2_error = E(0x1p8 * u) * (E(beside2) + E(dot(l, l)) * E(axis2));
-    const mask_t<W> exists = every(meets, some(!parallel, beside2 - inner2 <= tie<W>(beside2_error)));
+    E c_error = E(0x1p8 * u) * (E(beside2) + E(dot(l, l)) * E(axis2)), m_size = norm1(vec3<E>(m));
+    // What it strays on its way along the cylinder.
+    E astray = tie<W>(n_size * quotient(l_size + axis_size, d_size, E(0)));
+    const mask_t<W> within = every(inner2 >= W(least), c <= tie<W>(c_error + astray * (two * m_size + astray)));
+    mask_t<W> exists = every(meets, some(!parallel, within));
 
-    E under_root_error = with_underflow<W>(E(axis2) * s2_error), m_size = norm1(vec3<E>(m));
+    E under_root_error = with_underflow<W>(E(axis2) * s2_error);
     E m_error = with_underflow<W>(E(5 * u) * l_size * axis_size);
     E b_error = with_underflow<W>(n_error * m_size + m_error * (n_size + n_error) + E(4 * u) * n_size * m_size);
     mask_t<W> crossed =
@@ -76,10 +82,14 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
         // above 2^-10) and the chord above a 32nd of the diameter.
         crossed = every(crossed, s2 > W(0x1p-10) * ar2, a > W(0x1p-10) * d2 * axis2);
         error = min(E(0x1p21 * u) * quotient(l_size + E(r), d_size, E(0)), error);
+        // Of a line that is all but parallel n has few digits, and s^2 no more; but it is b^2 - a c, and c has all of
+        // them.
+        E square_error = b_error * (two * abs(E(b)) + b_error) + E(a) * c_error + a_error * abs(E(c)) + E(least);
+        exists = every(exists, some(parallel, b * b - a * c >= -W(square_error)));
     }
     const mask_t<W> certain = some(apart, crossed);
     error = select(parallel, E(0), with_underflow<W>(error));
-    vec2<W> t = quadratic_roots(over_a, b, beside2 - inner2, s);
+    vec2<W> t = quadratic_roots(over_a, b, c, s);
     return {{exists, certain, select(parallel, -infinity<W>, t.x), error, exists},
             {exists, certain, select(parallel, infinity<W>, t.y), error, !exists}};
 }
