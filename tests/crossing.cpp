@@ -42,6 +42,7 @@ TEST_CASE("crossing: where a function is zero, whatever value and slope are off 
     }
     CHECK((slope_of(double_double(0x1p-1022), 0.0).exists && slope_of(double_double(0x1p-1022), 0.0).certain));
     CHECK(!slope_of(double_double(0x1p-1074), 0.0).exists);  // of which there is no inverse
+    CHECK((slope_of(double_double(1), 0.49).exists && !slope_of(double_double(1), 0.51).exists));
     CHECK(!slope_of(1e-40f, 0.0f).certain);
 }
 

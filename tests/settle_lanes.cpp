@@ -172,6 +172,20 @@ TEST_CASE(
     CHECK(hits > 800);
 }
 
+TEST_CASE(
+    "first_hit, any_hit: what is met near the largest number is met as by a plain ray (two doubles say infinity)") {
+    using P = pack<double, 4>;
+    const sphere<double> ball{{-0x1.f30600000d86cp+592, 0, 0}, 0x1.b2b2b2b2b2b2bp+707};
+    const ray<double> along{{0, 0, 0}, {0x1.b2b2bp-333, 0x1.b2b2b2b2b2b2fp-317, 0}};
+    const sphere<P> balls{vec3<P>(ball.center), P(ball.radius)};
+    const ray<P> rays{vec3<P>(along.origin), vec3<P>(along.direction)};
+    const P zero(0), ever(infinity<double>);
+    hit_record<double> rec;
+    hit_record<P> recs;
+    check_lanes(balls.hit(rays, zero, ever, recs), ball.hit(along, 0.0, infinity<double>, rec));
+    check_lanes(balls.occluded(rays, zero, ever), ball.occluded(along, 0.0, infinity<double>));
+}
+
 TEST_CASE_TEMPLATE(
     "first_hit, any_hit: a box whose faces are farther away than any number is met or missed as by a "
     "plain ray (missed)",

@@ -159,9 +159,9 @@ RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& erro
     const E least(last_precision<W> ? 0.0 : 4 * least_normal<W>);
     W inverse = quotient(W(1), slope, W(0));
     mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= least);
-    // The last precision has no t for a slope that has no inverse: beside that, the line runs parallel.
+    // The last precision has no t for a slope that has no inverse, or is within twice its error: it runs parallel.
     if constexpr (last_precision<W>) in_range = every(in_range, is_finite(E(inverse)));
-    return {slope, error, inverse, every(size > tie<W>(error), in_range),
+    return {slope, error, inverse, every(size > tie<W>(E(2) * error), in_range),
             every(size >= E(2) * error, in_range, has_digits)};
 }
 

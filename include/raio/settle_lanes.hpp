@@ -35,14 +35,19 @@ struct rounded_crossing {
     mask_t<T> passed;          ///< known to be before it, or not at all
 
     RAIO_FN rounded_crossing(const crossing<W>& c, const T& t_min, const T& t_max) {
+        const mask_t<T> certain = c.certain, exists = c.exists;
+        mask_t<T> known = every(certain, exists);
         bound_t<W> error = c.error;
-        // The bounds of floats count what is lost near their smallest number; of doubles only t comes near theirs.
-        if constexpr (!std::same_as<scalar_t<W>, float>) error += bound_t<W>(least_normal<W>);
+        // The bounds of floats count what is lost near their smallest number. Of doubles only t comes near theirs, or
+        // near the largest, where two doubles have no products.
+        if constexpr (!std::same_as<scalar_t<W>, float>) {
+            error += bound_t<W>(least_normal<W>);
+            known = every(known, mask_t<T>(abs(c.t) < W(0.25 * std::numeric_limits<double>::max())));
+        }
         low = T(c.t - error), high = T(c.t + error);
-        const mask_t<T> certain = c.certain, exists = every(certain, c.exists);
-        inside = every(exists, t_min <= low, high <= t_max);
-        beyond = every(exists, t_max < low);
-        passed = some(every(exists, high < t_min), every(certain, !exists));
+        inside = every(known, t_min <= low, high <= t_max);
+        beyond = every(known, t_max < low);
+        passed = some(every(known, high < t_min), every(certain, !exists));
     }
 };
 

@@ -223,6 +223,15 @@ TEST_CASE_TEMPLATE("bilinear_patch: on the fold of a planar one the side with th
     CHECK(hits > 900);
 }
 
+TEST_CASE_TEMPLATE("bilinear_patch: beside it, and all but in the plane of one of its lines (hit, with a u of 1.4)", T,
+                   RAIO_NUMBERS) {
+    const bilinear_patch<T> some{{0, 2, -1}, {-2, 2, 1}, {0, -3, -2}, {-3, 2, 1}};
+    for (int power = -140; power < -20; ++power) {
+        CAPTURE(power);
+        check_cases<bilinear_patch<T>>({{"", some, {{0, -2, 1}, {0, -1, -std::ldexp(T(1), power)}}, misses}});
+    }
+}
+
 TEST_CASE_TEMPLATE("bilinear_patch: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<bilinear_patch<T>>();
 }
@@ -232,6 +241,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<bilinear_patch<T>>(test_rays);
     // One in eight has an edge without length, of which none is refined.
     check_bounds_of_errors<bilinear_patch<T>>(test_rays / 5, 0.45);
+    check_nothing_is_hit_beside<bilinear_patch<T>>(test_rays);
 }
 
 namespace {

@@ -54,6 +54,7 @@ TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<hyperboloid<T>>();
     check_accuracy<hyperboloid<T>>(test_rays);
     check_bounds_of_errors<hyperboloid<T>>(test_rays / 20);
+    check_nothing_is_hit_beside<hyperboloid<T>>(test_rays);
 }
 
 TEST_CASE_TEMPLATE("open_hyperboloid: named cases", T, RAIO_NUMBERS) {
@@ -87,6 +88,14 @@ TEST_CASE_TEMPLATE("open_hyperboloid: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE_TEMPLATE("open_hyperboloid: below its base, and all but parallel to that (hit there)", T, RAIO_NUMBERS) {
+    const open_hyperboloid<T> tower{{-3, 2, 1}, {0, -2, -3}, 2, 2};
+    for (int power = -140; power < -20; ++power) {
+        CAPTURE(power);
+        check_cases<open_hyperboloid<T>>({{"", tower, {{-3, 4, 1}, {-std::ldexp(T(1), power), 2, -2}}, misses}});
+    }
+}
+
 TEST_CASE_TEMPLATE("open_hyperboloid: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<open_hyperboloid<T>>();
 }
@@ -94,6 +103,7 @@ TEST_CASE_TEMPLATE("open_hyperboloid: properties of every shape", T, RAIO_NUMBER
 TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_hyperboloid<T>>(test_rays, 1.0 / 200);
     check_bounds_of_errors<open_hyperboloid<T>>(test_rays / 20);
+    check_nothing_is_hit_beside<open_hyperboloid<T>>(test_rays);
 }
 
 TEST_CASE_TEMPLATE("hyperboloid: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<hyperboloid<T>>(400); }

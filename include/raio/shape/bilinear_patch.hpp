@@ -172,6 +172,10 @@ private:
         const auto roots = roots_between(f, W(-1), W(2));
         list.certain = roots.certain;
         for (const polynomial_root<W>& root : roots) {
+            if (last_precision<W> && root.error > E(0x1p-20)) {  // all but in the surface: nobody knows where it is met
+                list.certain = false;
+                continue;
+            }
             // From where the line starts and where it goes, and how far each may be off.
             vec3<W> start = corner + edge_u * root.t, along = edge_v + twist * root.t;
             E start_error = root.error * u_size + E(4 * roundoff) * (corner_size + E(2) * u_size);
