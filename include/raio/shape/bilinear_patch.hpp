@@ -172,7 +172,8 @@ private:
         const auto roots = roots_between(f, W(-1), W(2));
         list.certain = roots.certain;
         for (const polynomial_root<W>& root : roots) {
-            if (last_precision<W> && root.error > E(0x1p-20)) {  // all but in the surface: nobody knows where it is met
+            // Of a line that all but lies in the surface nobody knows where u is: not to a millionth of the patch.
+            if (last_precision<W> && root.error > E(0x1p-20)) {
                 list.certain = false;
                 continue;
             }

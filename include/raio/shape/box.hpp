@@ -89,6 +89,7 @@ struct box {
         const mask_t<W> meets = inside >= -tie<W>(near_error + far_error);
         mask_t<W> certain = abs(E(inside)) > near_error + far_error;
         // Of floats a quotient of 1 may be infinite, or have lost digits; and a way, where double says how far it is.
+        // Of a direction from 2^124 on, whose quotient comes near the smallest numbers, 16 times it is infinite.
         if constexpr (std::same_as<scalar_t<W>, float>) {
             const auto has_quotient = [](const W& d) { return some(d == W(0), abs(d) >= W(4 * least_normal<W>)); };
             vec3<W> d(ray.direction);

@@ -47,7 +47,7 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     // A radius that the last precision cannot tell from none leaves no normal: such a cylinder is missed.
     E resolved = tie<W>(E(0x1p30 * u * u) * l_size * l_size);
     // A line that is all but parallel to the axis is so to the last precision, which knows nothing else of where such a
-    // line meets the endless side.
+    // line meets the endless side. Of others n is good to 2^-32 of it, and so is s^2, but b^2 - a c (below) to 2^-64.
     E all_but = E(last_precision<W> ? 0x1p32 : 4 * u) * n_error;
     mask_t<W> parallel = a == zero;
     if constexpr (last_precision<W>) parallel = n_size <= all_but;
