@@ -66,11 +66,13 @@ RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>&
 template <class W>
 RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
     W before = c.t - slab.near.t, after = slab.far.t - c.t;
-    bound_t<W> before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
+    using E = bound_t<W>;
+    E before_error = c.error + slab.near.error, after_error = c.error + slab.far.error, size(slab.far.t - slab.near.t);
     const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
     const mask_t<W> between = every(before > before_error, after > after_error);
     c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
-    c.exists = every(c.exists, slab.near.exists, before >= -tie<W>(before_error), after >= -tie<W>(after_error));
+    c.exists =
+        every(c.exists, slab.near.exists, before >= -tie<W>(before_error, size), after >= -tie<W>(after_error, size));
     return c;
 }
 

@@ -54,7 +54,6 @@ TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<hyperboloid<T>>();
     check_accuracy<hyperboloid<T>>(test_rays);
     check_bounds_of_errors<hyperboloid<T>>(test_rays / 20);
-    check_nothing_is_hit_beside<hyperboloid<T>>(test_rays);
 }
 
 TEST_CASE_TEMPLATE("open_hyperboloid: named cases", T, RAIO_NUMBERS) {
@@ -68,6 +67,10 @@ TEST_CASE_TEMPLATE("open_hyperboloid: named cases", T, RAIO_NUMBERS) {
         {"beside the waist, and in again", tower, beside, enters(3.5), 3},
         {"beside the waist, later", tower, beside, misses, 3.75},
         {"along a generator, in the surface", tower, {{3, -2, -8}, {0, 1, 4}}, misses},
+        {"all but along a generator, in the surface, and out between the planes of the rims",
+         {{-1, -1, 3}, {-1, -3, 3}, 3, 3},
+         {{2, 4, 3}, {-0x1p-91, -2, -0x1p-55}},
+         misses},
         {"along the rim of the base", tower, {{-9, -1, 0}, {1, 0, 0}}, enters(4)},
         {"touches the rim of the base from within",
          {{-3, -1, 3}, {0, -3, 1}, 3, 3},
@@ -103,7 +106,6 @@ TEST_CASE_TEMPLATE("open_hyperboloid: properties of every shape", T, RAIO_NUMBER
 TEST_CASE_TEMPLATE("open_hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_hyperboloid<T>>(test_rays, 1.0 / 200);
     check_bounds_of_errors<open_hyperboloid<T>>(test_rays / 20);
-    check_nothing_is_hit_beside<open_hyperboloid<T>>(test_rays);
 }
 
 TEST_CASE_TEMPLATE("hyperboloid: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<hyperboloid<T>>(400); }

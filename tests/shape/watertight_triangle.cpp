@@ -6,6 +6,10 @@ namespace raio::test {
 
 TEST_CASE_TEMPLATE("watertight_triangle: named cases", T, RAIO_NUMBERS) {
     check_triangle_cases<watertight_triangle<T>>();
+    check_cases<watertight_triangle<T>>({{"starts in its plane, beside it, and all but runs in it",
+                                          {{3, 1, 1}, {2, 1, -3}, {-2, 1, 2}},
+                                          {{-1, 1, 0}, {-0x1p-135, 0x1p-95, 1}},
+                                          misses}});
 }
 
 TEST_CASE("watertight_triangle: rays that start on it, or all but there, what the shear would round away") {

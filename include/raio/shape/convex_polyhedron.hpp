@@ -102,13 +102,23 @@ struct convex_polyhedron {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
+        using E = bound_t<W>;
         vec3<W> origin(ray.origin), direction(ray.direction);
         chord<W> c = everywhere<W>();
+        W entered = c.near.t, left = c.far.t;
         index_t<W> face{};
         for (const half_space<T>& plane : planes) {
-            c = intersect(c, behind(plane, origin, direction, face));
+            chord<W> part = behind(plane, origin, direction, face);
+            entered = max(entered, part.near.t), left = min(left, part.far.t);
+            c = intersect(c, part);
             if (all(c.near.certain && !c.near.exists)) break;
             face = face + index_t<W>(1);
+        }
+        if constexpr (last_precision<W>) {
+            // Where a line crosses a plane in which it all but lies may be anywhere: no reason to be inside elsewhere.
+            E step = norm1(vec3<E>(direction)), size = norm1(vec3<E>(origin)) + step * (abs(E(entered)) + abs(E(left)));
+            c.near.exists = c.far.exists =
+                every(c.near.exists, !(step * E(entered - left) > tie<W>(infinity<E>, size)));
         }
         keep_if_reachable<T>(ray, c);
         return c;

@@ -35,7 +35,7 @@ struct disc {
         auto [c, distance2, distance2_error] = cross_plane_about<W>(center, normal, ray);
         W r2 = W(radius) * W(radius), inner = r2 - distance2;
         E slack = with_underflow<W>(distance2_error + E(8 * unit_roundoff<W>) * E(r2));
-        c.exists = every(c.exists, inner >= -tie<W>(slack), radius > T(0));
+        c.exists = every(c.exists, inner >= -tie<W>(slack, E(r2)), radius > T(0));
         c.certain = every(c.certain, abs(inner) > slack);
         return c;
     }

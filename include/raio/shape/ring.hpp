@@ -22,7 +22,8 @@ RAIO_FN constexpr crossing<W> between_rims(const crossing_about<W>& plane, const
     E outer_slack = with_underflow<W>(distance2_error + E(8 * u) * E(outer2));
     E inner_slack = with_underflow<W>(distance2_error + E(8 * u) * E(inner2));
     const mask_t<W> spread = every(inner_radius >= T(0), outer_radius > inner_radius);
-    c.exists = every(c.exists, from_outer >= -tie<W>(outer_slack), from_inner >= -tie<W>(inner_slack), spread);
+    c.exists = every(c.exists, from_outer >= -tie<W>(outer_slack, E(outer2)),
+                     from_inner >= -tie<W>(inner_slack, E(inner2)), spread);
     c.certain = every(c.certain, some(abs(from_outer) > outer_slack, from_inner < -inner_slack),
                       some(abs(from_inner) > inner_slack, from_outer < -outer_slack));
     return c;

@@ -166,7 +166,8 @@ private:
         const touching_cone<W> cone(s);
         vec3<W> axis = cone.surface.axis, d(ray.direction), to_center = difference_as<W>(s.base, ray.origin);
         W r = cone.radius, widening = cone.widening, apart = cone.apart, axis2 = dot(axis, axis);
-        const mask_t<W> sided = apart > W(0);
+        // Spheres that touch from inside leave no side between them.
+        const mask_t<W> sided = E(apart) > tie<W>(E(8 * unit_roundoff<W>) * E(axis2));
         chord<W> c = detail::one_nappe(cross_quadric(cone.surface, to_center, norm1(vec3<E>(to_center)), d),
                                        dot(d, axis) > W(0));
         if constexpr (!only_sieves<W>) {

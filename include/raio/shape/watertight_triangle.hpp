@@ -67,7 +67,8 @@ struct watertight_triangle {
         E p_error = corner_error(p), q_error = corner_error(q), r_error = corner_error(r);
         E u_error = edge_error(r, r_error, q, q_error), v_error = edge_error(p, p_error, r, r_error);
         E w_error = edge_error(q, q_error, p, p_error), det_error = u_error + v_error + w_error;
-        E u_tie = tie<W>(u_error), v_tie = tie<W>(v_error), w_tie = tie<W>(w_error);
+        E size = abs(E(det)), u_tie = tie<W>(u_error, size), v_tie = tie<W>(v_error, size),
+          w_tie = tie<W>(w_error, size);
         const mask_t<W> inside =
             some(every(u >= -u_tie, v >= -v_tie, w >= -w_tie), every(u <= u_tie, v <= v_tie, w <= w_tie));
         const mask_t<W> decided = every(abs(u) > u_error, abs(v) > v_error, abs(w) > w_error);
