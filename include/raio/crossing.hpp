@@ -29,8 +29,12 @@ RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error) {
 /// The same where an error has no limit, as that of where a line meets a plane in which it all but lies: what differs
 /// by more than a millionth of `size` is no tie, however little is known of it.
 template <real W>
-RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error, const bound_t<W>& size) {
-    return min(tie<W>(error), bound_t<W>(0x1p-20) * size);
+RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error, [[maybe_unused]] const bound_t<W>& size) {
+    if constexpr (last_precision<W>) {
+        return min(error, bound_t<W>(0x1p-20) * size);
+    } else {
+        return tie<W>(error);
+    }
 }
 
 /// A bound, and what may have been lost besides where small floats lose their digits. What is computed in double does

@@ -116,9 +116,9 @@ struct convex_polyhedron {
         }
         if constexpr (last_precision<W>) {
             // Where a line crosses a plane in which it all but lies may be anywhere: no reason to be inside elsewhere.
-            E step = norm1(vec3<E>(direction)), size = norm1(vec3<E>(origin)) + step * (abs(E(entered)) + abs(E(left)));
-            c.near.exists = c.far.exists =
-                every(c.near.exists, !(step * E(entered - left) > tie<W>(infinity<E>, size)));
+            E step = norm1(vec3<E>(direction)), apart = step * E(entered - left);
+            E size = norm1(vec3<E>(origin)) + step * (abs(E(entered)) + abs(E(left)));
+            c.near.exists = c.far.exists = every(c.near.exists, !(apart > tie<W>(apart, size)));
         }
         keep_if_reachable<T>(ray, c);
         return c;
