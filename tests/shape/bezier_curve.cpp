@@ -56,8 +56,9 @@ struct subject<bezier_curve<T>> {
     static vec3<double> special_point(const bezier_curve<T>& s, const vec3<double>& from, random_numbers& random) {
         const auto [center, radius] = random_ball(s, random);
         const vec3<double> to_center = center - from;
-        const double sine = radius / length(to_center);
-        if (random.one_in(3) || !(sine < 1)) return center;
+        const double distance = length(to_center);
+        if (random.one_in(3) || !(radius < distance)) return center;
+        const double sine = radius / distance;
         return center - to_center * (sine * sine) +
                random.perpendicular(to_center) * (radius * std::sqrt(1 - sine * sine));
     }
