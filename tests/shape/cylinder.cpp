@@ -98,6 +98,16 @@ TEST_CASE("cylinder: above its top, and along it until beyond the largest number
                                    {"rises from within", low, {{0, 0.5, 0}, {1, 0x1p-1022, 0}}, leaves(4.75)}});
 }
 
+TEST_CASE("cylinder: 2^278 wide, whose fourth powers are beyond the range, where the window ends") {
+    const cylinder<double> wide{{0, 0, 0}, {0, 0x1p278, 0}, 0x1p278};
+    const ray<double> tilted{{0x1.8p278, 0x1p277, 0x1p276}, {-0x1p-349, 0x1p-352, 0x1p-354}};
+    hit_record<double> rec, same;
+    REQUIRE(wide.hit(tilted, 0, infinity<double>, rec));
+    CHECK((wide.hit(tilted, 0, rec.t, same) && same.t == rec.t && wide.occluded(tilted, 0, rec.t)));
+    CHECK(!wide.hit(tilted, 0, std::nextafter(rec.t, 0.0), same));
+    CHECK(rec.t == 0x1.128d8ff6fdf5ep+626);  // by 50 digits
+}
+
 TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, RAIO_NUMBERS) { check_properties<cylinder<T>>(); }
 
 TEST_CASE_TEMPLATE("cylinder: as exact arithmetic", T, RAIO_NUMBERS) {

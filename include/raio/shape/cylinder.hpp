@@ -83,9 +83,9 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
         crossed = every(crossed, s2 > W(0x1p-10) * ar2, a > W(0x1p-10) * d2 * axis2);
         error = min(E(0x1p21 * u) * quotient(l_size + E(r), d_size, E(0)), error);
         // Of a line that is all but parallel n has few digits, and s^2 no more; but it is b^2 - a c, and c has all of
-        // them.
+        // them. (Where these are beyond the range, s^2 has to do.)
         E square_error = b_error * (two * abs(E(b)) + b_error) + E(a) * c_error + a_error * abs(E(c)) + E(least);
-        exists = every(exists, some(parallel, b * b - a * c >= -W(square_error)));
+        exists = every(exists, some(parallel, !(b * b - a * c < -W(square_error))));
     }
     const mask_t<W> certain = some(apart, crossed);
     error = select(parallel, E(0), with_underflow<W>(error));
