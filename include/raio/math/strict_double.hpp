@@ -72,7 +72,8 @@ public:
     template <std::same_as<strict_double> Strict>
     requires(Digits != 53) RAIO_FN constexpr basic_strict_double(Strict value) : value_(static_cast<double>(value)) {}
 
-    RAIO_FN constexpr explicit operator strict_double() const requires(Digits != 53) { return value_; }
+    template <std::same_as<strict_double> Strict>
+    requires(Digits != 53) RAIO_FN constexpr explicit operator Strict() const { return value_; }
     RAIO_FN constexpr explicit operator double() const { return value_; }
     RAIO_FN constexpr explicit operator float() const { return static_cast<float>(value_); }
 
