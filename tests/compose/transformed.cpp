@@ -173,6 +173,15 @@ TEST_CASE_TEMPLATE("transformed: normals under uneven scale go by the inverse tr
     CHECK(length(vec3<T>(rec.normal - vec3<T>(std::sqrt(T(0.5)), std::sqrt(T(0.5)), 0))) < 4 * eps);
 }
 
+TEST_CASE("transformed: so flat a map that a normal's coordinate adds up to infinity") {
+    const probe<posed<sphere<double>>> p{
+        {{{-0.125, -0.125, -0.125}, 4.5},
+         {{11.375, 0, 1}, {4.125, 0, 1}, {0x1p-1022, 0x1p-1022, 2.375}, {2.375, 2.375, 2.375}}},
+        {{2.375, 2.375, 0}, {0x1p-1022, 0x1p-1022, 0}}};
+    CHECK(unsound_answer(p) == "");
+    CHECK(p.shape.occluded(p.ray, p.t_min, p.t_max));
+}
+
 TEST_CASE("transformed: so uneven a map that doubles are left without a normal") {
     const probe<posed<triangle<float>>> p{
         {{{-2, 2, -2}, {2, 0, -3}, {0, 0, 0}},

@@ -127,8 +127,10 @@ private:
             const T up = T(e * E(1 + 4 * in_t) + E(least_normal<T>));
             return select(up <= most, up, most);
         };
-        // Of a map so uneven that W is left without a normal, it is against the ray.
         vec3<W> normal = inverse_.transposed(local.normal);
+        // Sums of numbers next to the largest are beyond it.
+        if (!is_finite(norm1(normal))) normal = inverse_.transposed(local.normal * W(0.25));
+        // Of a map so uneven that W is left without a normal, it is against the ray.
         normal = select(norm1(normal) > W(0), normal, -direction);
         return {local.t,
                 p,
