@@ -128,7 +128,7 @@ private:
             return select(up <= most, up, most);
         };
         vec3<W> normal = inverse_.transposed(local.normal);
-        // Sums of numbers next to the largest are beyond it.
+        // A coordinate may be 1.74 times the largest of the inverse: beyond the range, but not as a quarter.
         if (!is_finite(norm1(normal))) normal = inverse_.transposed(local.normal * W(0.25));
         // Of a map so uneven that W is left without a normal, it is against the ray.
         normal = select(norm1(normal) > W(0), normal, -direction);
