@@ -53,9 +53,8 @@ std::uint64_t checksum_of_hits(int rays, Make make) {
     checksum sum;
     for (int i = 0; i < rays; ++i) {
         const auto shape = make(numbers);
-        const vec3<T> origin = numbers.point<T>(4), target = numbers.point<T>();
         hit_record<T> rec;
-        if (!shape.hit({origin, target - origin}, T(0), infinity<T>, rec)) continue;
+        if (!shape.hit(numbers.aimed_ray<T>(), T(0), infinity<T>, rec)) continue;
         sum.add(rec);
     }
     return sum.value();
@@ -72,8 +71,8 @@ std::uint64_t checksum_of_packs(int rays, Make make) {
         ray<P> along;
         for (std::size_t lane = 0; lane < P::lanes; ++lane) {
             shapes.set(lane, make(numbers));
-            const vec3<T> origin = numbers.point<T>(4), target = numbers.point<T>();
-            detail::set_lane(along.origin, lane, origin), detail::set_lane(along.direction, lane, target - origin);
+            const ray<T> r = numbers.aimed_ray<T>();
+            detail::set_lane(along.origin, lane, r.origin), detail::set_lane(along.direction, lane, r.direction);
         }
         hit_record<P> rec;
         const auto hit = shapes.shapes().hit(along, P(0), P(infinity<T>), rec);

@@ -69,8 +69,7 @@ std::ptrdiff_t other_answers(std::size_t rays, const char* name, Make make) {
     shapes.reserve(rays), expected.reserve(rays);
     for (std::size_t i = 0; i < rays; ++i) {
         shapes.push_back(make(numbers));
-        const raio::vec3<T> origin = numbers.point<T>(4), target = numbers.point<T>();
-        expected.push_back({{origin, target - origin}});
+        expected.push_back({numbers.aimed_ray<T>()});
     }
 
     std::vector<question<T>, pinned<question<T>>> answers(expected.begin(), expected.end());

@@ -31,6 +31,13 @@ public:
         return {static_cast<T>(x * size), static_cast<T>(y * size), static_cast<T>(z * size)};
     }
 
+    /// From within eight of the origin, along each axis, to within two of it, where the shapes are.
+    template <class T>
+    ray<T> aimed_ray() {
+        const vec3<T> origin = point<T>(4), target = point<T>();
+        return {origin, target - origin};
+    }
+
 private:
     /// In (-2, 2), mostly near 0.
     double centred() {
