@@ -43,13 +43,16 @@ RAIO_FN constexpr crossing<W> first_in_window(const chord_pair<W>& c, T t_min, T
 /// doubt.
 enum class question { whether, where, only_where };
 
+/// A shape that has less to do for a crossing that is known to exist, and to be wanted.
+template <class Shape, class W, class R>
+concept finds_known_crossing = requires(const Shape& shape, const ray<R>& ray) {
+    { shape.template crossings<W>(ray, known_crossing{}) } -> std::same_as<crossing<W>>;
+};
+
 /// The crossings of a shape; of one that can find less with less work only what the question wants to know.
 template <class W, question Asked, class Shape, real R, real T>
 RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
-    constexpr bool known = Asked == question::only_where && requires {
-        { shape.template crossings<W>(ray, known_crossing{}) } -> std::same_as<crossing<W>>;
-    };
-    if constexpr (known) {
+    if constexpr (Asked == question::only_where && finds_known_crossing<Shape, W, R>) {
         return shape.template crossings<W>(ray, known_crossing{});
     } else if constexpr (requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
         return shape.template crossings<W>(ray, first_from<T>{t_min, t_max, Asked == question::whether});
@@ -104,12 +107,13 @@ RAIO_FN constexpr verdict<W> or_next(const verdict<W>& found, Next next) {
 }
 
 /// Of several crossings it has to be found out which one it is.
-constexpr question which_one(question asked) { return asked == question::whether ? asked : question::where; }
+template <question Asked>
+inline constexpr question which_one = Asked == question::whether ? Asked : question::where;
 
 template <question Asked, real T, class W>
 RAIO_FN constexpr verdict<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
-    return or_next(settled_in_window<which_one(Asked)>(c.near, t_min, t_max),
-                   [&] { return settled_in_window<which_one(Asked)>(c.far, t_min, t_max); });
+    return or_next(settled_in_window<which_one<Asked>>(c.near, t_min, t_max),
+                   [&] { return settled_in_window<which_one<Asked>>(c.far, t_min, t_max); });
 }
 template <question Asked, real T, class W>
 RAIO_FN constexpr verdict<W> settled_in_window(const chord_pair<W>& c, T t_min, T t_max) {

@@ -209,6 +209,7 @@ TEST_CASE_TEMPLATE("transformed: an instance shares its primitive", T, RAIO_NUMB
     const transformed by_pointer{&own, map};
     const transformed by_shared_pointer{shared, map};
     CHECK(&by_pointer.primitive() == &own);
+    CHECK((by_pointer.map().x == map.x && by_pointer.map().origin == map.origin));
     CHECK(shared.use_count() == 2);
     const ray<T> ray{{1, 2, 9}, {0, T(-0.2), -1}};
     hit_record<T> a, b, c;

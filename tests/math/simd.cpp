@@ -32,9 +32,9 @@ TEST_CASE_TEMPLATE("pack: every lane as a plain number", P, RAIO_PACKS_UNDER_TES
     check_lanes<P>("a * b", [](auto a, auto b) { return a * b; });
     check_lanes<P>("a / b", [](auto a, auto b) { return a / select(b == decltype(b)(0), decltype(b)(1), b); });
     check_lanes<P>("-a", [](auto a, auto) { return -a; });
-    check_lanes<P>("+=, -=, *=", [](auto a, auto b) {
+    check_lanes<P>("+=, -=, *=, /=", [](auto a, auto b) {
         auto c = a;
-        c += b, c -= a, c *= a;
+        c += b, c -= a, c *= a, c /= decltype(c)(3);
         return c;
     });
     check_lanes<P>("a < b", [](auto a, auto b) { return a < b; });

@@ -19,7 +19,7 @@ TEST_CASE("strict_double: a product is rounded before it is added to") {
     const auto times = [](double a, double b) { return a * b; };
     const auto plus = [](double a, double b) { return a + b; };
     const auto minus = [](double a, double b) { return a - b; };
-    int contracted = 0, differ = 0;
+    int contracted = 0, differ = 0, rounded_twice = 0;
     for (int i = 0; i < at_least(100'000); ++i) {
         const double a = random.uniform(-1, 1), b = random.uniform(-1, 1), c = -a * b, d = random.uniform(-1, 1);
         const strict_double x(a), y(b), z(c), w(d);
@@ -28,8 +28,10 @@ TEST_CASE("strict_double: a product is rounded before it is added to") {
         contracted += static_cast<double>(z + x * y) != one_by_one(ab, c, plus);
         contracted += static_cast<double>(x * y - z * w) != one_by_one(ab, cd, minus);
         differ += std::fma(a, b, c) != one_by_one(ab, c, plus);
+        rounded_twice += static_cast<double>(fma(x, y, z)) != std::fma(a, b, c);
     }
     CHECK(contracted == 0);
+    CHECK(rounded_twice == 0);
     CHECK(differ > 50'000);  // or else nothing would show
 }
 
