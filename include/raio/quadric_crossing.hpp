@@ -104,7 +104,8 @@ RAIO_FN constexpr quadric_chord<W> cross_parabola(const parabola<W>& f, const bo
 
         // Where the equation does not change its sign, the line is inside everywhere or nowhere; where nothing of it
         // can be told from zero, it lies in the surface. If it is as good as linear (the line is parallel to a
-        // generator, or to the axis of a paraboloid), the other root is out of reach.
+        // generator, or to the axis of a paraboloid), the other root is out of reach; if this one is as well, no end
+        // of reach lies before it.
         E change = c_error + reach * ((a_size + a_error) * reach + E(2) * (b_size + b_error));
         const mask_t<W> apart = square < -square_error, touches = square >= -tie<W>(square_error);
         const mask_t<W> finite = every(f.in_range, is_finite(b_size + abs(E(c)))), steady = abs(E(c)) > change;
@@ -122,8 +123,8 @@ RAIO_FN constexpr quadric_chord<W> cross_parabola(const parabola<W>& f, const bo
         certain = every(finite, some(passes, steady, one, two));
 
         W end(reach);
-        near = select(everywhere, -end, select(linear, select(sum > zero, only, -end), near));
-        far_end = select(everywhere, end, select(linear, select(sum > zero, end, only), far_end));
+        near = select(everywhere, -end, select(linear, select(sum > zero, only, min(-end, only)), near));
+        far_end = select(everywhere, end, select(linear, select(sum > zero, max(end, only), only), far_end));
         error = select(everywhere, E(0), select(linear, of_one, of_two));
     }
     return {{{exists, certain, near, error, !hollow}, {exists, certain, far_end, error, hollow}}, hollow};

@@ -115,6 +115,19 @@ TEST_CASE_TEMPLATE("convex_polyhedron: a single point is hit within its bounds",
     CHECK(origin.bounds().contains(rec.point));
 }
 
+/// On its way along an edge the ray crosses the planes there anywhere, for all that two doubles know, but by then it
+/// has left another plane, and not yet entered the last.
+TEST_CASE("convex_polyhedron: past the tip of a needle, along the edge on the other side of it") {
+    const convex_polyhedron<double> needle{
+        {{{-0x1.f6970304bb179p-7, 0x1.fe9c251bf48bbp-5, -0x1.fef1b132419b3p-1}, -0x1.e6e24aec953edp-4},
+         {{0x1.7c94956d35181p-1, -0x1.43e5f18df6b7ep-4, -0x1.5417d73b76411p-1}, -0x1.4p-56},
+         {{0x1.52fcc468d6b54p-4, -0x1.7d5c5cf5f18bfp-1, 0x1.52fcc468d6b54p-1}, -0x1p-57},
+         {{0x1.d03ef30d1a06ap-7, -0x1.052368b75ea3cp-3, 0x1.fbc4d9d654774p-1}, 0x1.c1bcfb74b1367p-4},
+         {{0, -0x1.4e16d3ea27b25p-5, 0x1.ff92f47e8cc91p-1}, -0x1.6p-57}}};
+    hit_record<double> rec;
+    CHECK_FALSE(needle.hit({vec3<double>(-0.125), vec3<double>(-0.125)}, 0, infinity<double>, rec));
+}
+
 TEST_CASE_TEMPLATE("convex_polyhedron: samples are spread evenly over the area", T, RAIO_NUMBERS) {
     // The corner of a cube, cut off.
     const convex_polyhedron<T> corner{{{{-1, 0, 0}, 0}, {{0, -1, 0}, 0}, {{0, 0, -1}, 0}, {{1, 1, 1}, -1}}};

@@ -24,7 +24,7 @@ struct frustum_subject : revolved_subject<Frustum, frustum_profile> {
 
     /// One in four comes to a point, one in eight is a cylinder.
     static Frustum random(random_numbers& random, double size, const vec3<double>& place) {
-        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.1, 10));
+        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.01, 10));
         Frustum s{vec3<T>(place), vec3<T>(place + axis), static_cast<T>(size * random.log_uniform(0.1, 1)),
                   static_cast<T>(size * random.log_uniform(0.1, 1))};
         if (random.one_in(8)) s.base_radius = s.top_radius;

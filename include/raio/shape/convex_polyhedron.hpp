@@ -104,22 +104,23 @@ struct convex_polyhedron {
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
         vec3<W> origin(ray.origin), direction(ray.direction);
+        [[maybe_unused]] E start = quotient(norm1(vec3<E>(origin)), norm1(vec3<E>(direction)), E(0));
         chord<W> c = everywhere<W>();
-        W entered = c.near.t, left = c.far.t;
+        [[maybe_unused]] W entered = c.near.t, left = c.far.t;
         index_t<W> face{};
         for (const half_space<T>& plane : planes) {
             chord<W> part = behind(plane, origin, direction, face);
-            entered = max(entered, part.near.t), left = min(left, part.far.t);
+            if constexpr (last_precision<W>) {
+                // Where a line crosses a plane in which it all but lies may be anywhere. That is no reason to be inside
+                // elsewhere, nor if it has left one of the others before it enters another, beyond doubt.
+                const auto doubt = [&](const crossing<W>& x) { return W(tie<W>(x.error, start + abs(E(x.t)))); };
+                entered = max(entered, part.near.t - doubt(part.near)), left = min(left, part.far.t + doubt(part.far));
+            }
             c = intersect(c, part);
             if (all(c.near.certain && !c.near.exists)) break;
             face = face + index_t<W>(1);
         }
-        if constexpr (last_precision<W>) {
-            // Where a line crosses a plane in which it all but lies may be anywhere: no reason to be inside elsewhere.
-            E step = norm1(vec3<E>(direction)), apart = step * E(entered - left);
-            E size = norm1(vec3<E>(origin)) + step * (abs(E(entered)) + abs(E(left)));
-            c.near.exists = c.far.exists = every(c.near.exists, !(apart > tie<W>(apart, size)));
-        }
+        if constexpr (last_precision<W>) c.near.exists = c.far.exists = every(c.near.exists, !(entered > left));
         keep_if_reachable<T>(ray, c);
         return c;
     }
