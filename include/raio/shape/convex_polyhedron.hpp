@@ -104,6 +104,7 @@ struct convex_polyhedron {
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         using E = bound_t<W>;
         vec3<W> origin(ray.origin), direction(ray.direction);
+        // How far the origin is from zero, in t: what its rounding errors are a part of.
         [[maybe_unused]] E start = quotient(norm1(vec3<E>(origin)), norm1(vec3<E>(direction)), E(0));
         chord<W> c = everywhere<W>();
         [[maybe_unused]] W entered = c.near.t, left = c.far.t;
