@@ -11,7 +11,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    check_read_or_refused("mesh.obj", [&] {
+    check_read_or_refused("mesh.obj", size, [&] {
         const std::size_t triangles = render::parse_mesh(text, "mesh.obj").size();
         if (triangles == 0 || triangles > size) std::abort();
     });

@@ -28,7 +28,7 @@ std::vector<raio::triangle<double>> one_triangle(const std::filesystem::path&) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    check_read_or_refused("scene.txt", [&] {
+    check_read_or_refused("scene.txt", size, [&] {
         const render::scene scene = render::parse_scene(text, "scene.txt", {one_texel, one_triangle});
         for (const render::object& object : scene.objects) {
             if (object.pigment >= scene.pigments.size() || object.material >= scene.materials.size()) std::abort();
