@@ -47,6 +47,8 @@ void check_read_or_refused(std::string_view file, std::size_t bytes, Read read) 
         if (!holds) std::abort();
     };
     try {
+        // A face of eight bytes, "f 1 2 3" and its end, makes a triangle of nine doubles, and a vector that grows
+        // holds the old ones and room for twice as many: 27 times. An error's words and one object are what is fixed.
         const memory_limit limit(16'384 + 64 * bytes);
         read();
     } catch (const render::scene_error& error) {
