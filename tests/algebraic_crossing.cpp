@@ -88,6 +88,19 @@ TEST_CASE("algebraic_crossing: a line in the surface belongs to the solid from w
     CHECK((stays.list.count == 3 && stays.at(0, 1.5, true) && stays.at(1, 2, false) && stays.at(2, 2, true)));
 }
 
+TEST_CASE("algebraic_crossing: a line that cannot be told from one in the surface for long is one for as long") {
+    for (const double sign : {-1, 1}) {
+        crossing_list<W, 8> list;
+        piecewise_walk<W, 8> walk{along, {}, list};
+        walk.cross({{W(-0.5), W(-1), W(0), W(0), W(0)}, {}}, W(-1), W(-0.5));
+        // Zero at first, and cannot be told from it up to x = -1/4.
+        walk.cross({{W(sign * 0x1p-20), W(sign * 0x1p-19), W(0), W(0), W(0)}, {0x1p-21}}, W(-0.5), W(0.5));
+        walk.reach(1);
+        REQUIRE((list.count >= 1 && list.crossings[0].entering && list.crossings[0].t == W(2)));
+        CHECK((list.crossings[0].error < 1e-9 && !list.certain));
+    }
+}
+
 TEST_CASE("algebraic_crossing: what two pieces cross where they meet is one crossing, as far off as either") {
     const double off = 0x1p-20;
     for (const double later : {-off, 0.0, off}) {

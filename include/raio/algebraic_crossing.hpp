@@ -200,8 +200,8 @@ RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N
 }
 
 /// Follows the line from outside, through one polynomial of degree 4 after the other. Where a polynomial is zero at an
-/// end, the next one tells what comes of it. One that is zero all the way is that of a line in the surface, which
-/// touches it from where that begins to where it ends.
+/// end, the next one tells what comes of it. One that is zero all the way, or cannot be told from it for long, is that
+/// of a line in the surface, which touches it from where that begins to where it ends.
 template <class W, std::size_t N>
 struct piecewise_walk {
     const line_part<W>& part;
@@ -219,9 +219,11 @@ struct piecewise_walk {
             if (root.before != 0) reach(root.before);
             // (About a tangent a piece that is shorter than the root of the noise, which is below 2^-16, is zero to
             // both ends as well.)
-            if (root.before == 0 && root.after == 0 && bound_t<W>(high - low) > bound_t<W>(0x1p-16)) {
-                meet({low, bound_t<W>(0), 0, 0, root.height});
-                end = {high, bound_t<W>(0), 0, 0, root.height}, is_along = true;
+            W first = root.before == 0 ? low : max(low, root.t - W(root.error));
+            W last = root.after == 0 ? high : min(high, root.t + W(root.error));
+            if (root.before * root.after == 0 && bound_t<W>(last - first) > bound_t<W>(0x1p-16)) {
+                meet({first, bound_t<W>(0), 0, 0, root.height});
+                end = {last, bound_t<W>(0), 0, 0, root.height}, is_along = true;
             } else {
                 meet(root);
             }

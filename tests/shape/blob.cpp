@@ -135,6 +135,21 @@ TEST_CASE_TEMPLATE("blob: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+/// Two doubles cannot tell at once that it is not in there. Some were hit where the ray starts.
+TEST_CASE_TEMPLATE("blob: a line all but in the side of a capsule meets it where that begins, not before", T,
+                   RAIO_NUMBERS) {
+    const blob<T> rod{{metaball<T>{{0, -1, 0}, 2, 1, {0, 3, 0}}}, T(0.5625)};
+    for (int digits = 80; digits <= 120; ++digits) {
+        const T inwards = std::ldexp(T(-1.25), -digits);
+        const ray<T> up{{1, -1.5, 0}, {inwards, 1, 0}}, down{{1, 2.5, 0}, {inwards, -1, 0}};
+        for (const ray<T>& ray : {up, down}) {
+            hit_record<T> rec;
+            REQUIRE(rod.hit(ray, T(0), infinity<T>, rec));
+            CHECK(std::abs(rec.t - T(0.5)) < T(1e-9));
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("blob: properties of every shape", T, RAIO_NUMBERS) { check_properties<blob<T>>(); }
 
 TEST_CASE_TEMPLATE("blob: as exact arithmetic", T, RAIO_NUMBERS) {
