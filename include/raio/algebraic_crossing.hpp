@@ -97,13 +97,14 @@ RAIO_FN constexpr roots_along<W, N> find_roots(const polynomial<W, N>& f, const 
 namespace detail {
 
 /// What cannot be told from t = 0 is there: a ray that starts on the surface.
+template <class W>
+RAIO_FN constexpr void start_at_origin(crossing<W>& c) {
+    const bound_t<W> away = abs(bound_t<W>(c.t));
+    if (away <= c.error) c.error += away, c.t = W(0);
+}
 template <class W, std::size_t N>
 RAIO_FN constexpr void start_at_origin(crossing_list<W, N>& list) {
-    for (std::size_t i = 0; i < list.count; ++i) {
-        crossing<W>& c = list.crossings[i];
-        const bound_t<W> away = abs(bound_t<W>(c.t));
-        if (away <= c.error) c.error += away, c.t = W(0);
-    }
+    for (std::size_t i = 0; i < list.count; ++i) start_at_origin(list.crossings[i]);
 }
 
 /// The places x that lie between the ends of a chord, and a little beyond it.

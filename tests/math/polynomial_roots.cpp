@@ -173,6 +173,21 @@ TEST_CASE("polynomial_roots: a clear sign between two roots is no end of the pla
     }
 }
 
+/// The slope there, of which the noise is a part, would have it anywhere.
+TEST_CASE_TEMPLATE("polynomial_roots: a root that is all but triple is as near as the third root of the noise", W,
+                   strict_double, double_double) {
+    const double noise = 64 * unit_roundoff<W>;
+    for (const double slope : {1e-60, 1e-40, 1e-33}) {
+        const polynomial<W, 3> p{{W(0), W(-slope), W(0), W(-50)}, {noise}};
+        const auto found = roots_between(p, W(-0.5), W(0.75));
+        REQUIRE((found.certain && found.count == 1));
+        const polynomial_root<W>& root = found.places[0];
+        CHECK((root.before == 1 && root.after == -1));
+        CHECK(std::abs(static_cast<double>(root.t)) <= root.error);
+        CHECK(root.error < 4 * std::cbrt(noise));
+    }
+}
+
 TEST_CASE("polynomial_roots: a turn that is hardly known is as high as it may be") {
     // Of a Bezier curve and a ray, see bezier_curve.hpp. Between the two roots it is no lower than -1.3e-4.
     const polynomial<strict_double, 10> p{{0x1.be7f41f36ed5fp+5, -0x1.ec39e74815d58p+8, 0x1.40b8d37a2209p+11,

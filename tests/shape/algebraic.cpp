@@ -161,6 +161,31 @@ TEST_CASE("algebraic: from a wall of the box that is the surface as well (what l
     CHECK((!rec.front_face && rec.t > 1));
 }
 
+TEST_CASE_TEMPLATE("algebraic: coefficients that are all but zero hide no root of a higher degree", T, RAIO_NUMBERS) {
+    const algebraic<T, 8> along_an_edge{{-2, -3, -2},
+                                        {3, 3, 2},
+                                        {{2, 1, 1, 0},
+                                         {-1, 0, 3, 1},
+                                         {-2, 2, 1, 3},
+                                         {2, 1, 2, 3},
+                                         {2, 1, 0, 6},
+                                         {1, 2, 0, 0},
+                                         {-1, 0, 2, 0},
+                                         {1, 0, 0, 2}}};
+    const algebraic<T, 8> from_a_face{
+        {-2, -2, -1},
+        {2, 1, 1},
+        {{-2, 1, 4, 1}, {-1, 0, 0, 1}, {-2, 4, 1, 1}, {1, 2, 0, 0}, {-1, 0, 2, 0}, {1, 0, 0, 2}}};
+    for (int power = -140; power < -60; ++power) {
+        const T tiny = std::ldexp(T(1), power);
+        hit_record<T> rec;
+        REQUIRE(along_an_edge.hit({{3, 3, 0}, {-tiny, 0, 1}}, T(0), infinity<T>, rec));
+        CHECK(std::abs(rec.t - T(0.71541842388729637)) < T(1e-6));  // was 0
+        REQUIRE(from_a_face.hit({{3, -1, 3}, {-1, -tiny, -1}}, T(0), infinity<T>, rec));
+        CHECK(std::abs(rec.t - T(2)) < T(1e-6));  // was 3
+    }
+}
+
 TEST_CASE_TEMPLATE("algebraic: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<algebraic<T, 4>>();
     check_properties<open_algebraic<T, 4>>();

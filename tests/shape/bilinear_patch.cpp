@@ -232,6 +232,16 @@ TEST_CASE_TEMPLATE("bilinear_patch: beside it, and all but in the plane of one o
     }
 }
 
+TEST_CASE_TEMPLATE("bilinear_patch: all but along an edge, from before it (was hit where the ray starts)", T,
+                   RAIO_NUMBERS) {
+    const bilinear_patch<T> some{{-2, -2, -2}, {-3, 0, 2}, {3, -2, -2}, {-1, 2, -1}};
+    for (int power = -140; power < -20; ++power) {
+        hit_record<T> rec;
+        const ray<T> ray{{-3, -2, -2}, {T(0x1p-22), 0, std::ldexp(T(1), power)}};
+        CHECK((!some.hit(ray, T(0), infinity<T>, rec) || rec.t >= T(0x1p22)));
+    }
+}
+
 TEST_CASE_TEMPLATE("bilinear_patch: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<bilinear_patch<T>>();
 }

@@ -245,8 +245,11 @@ private:
             if (!(step > (good ? tolerance : E(unit_roundoff<W>)) * E(abs(t)))) break;
         }
 
-        // The root lies where the sign changes beyond doubt.
-        E reach = quotient(E(4) * noise_at(t), abs(slope), step) + step * left_of_step(tolerance) + resolution(t);
+        // The root lies where the sign changes beyond doubt. (Of a root of a higher order the slope, which is all but
+        // zero there, would have it anywhere.)
+        E by_slope = quotient(E(4) * noise_at(t), abs(slope), step);
+        E reach = (by_slope < E(0x1p-10) * E(to.t - from.t) ? by_slope : E(0)) + step * left_of_step(tolerance) +
+                  resolution(t);
         for (;;) {
             W left = max(from.t, t - W(reach)), right = min(to.t, t + W(reach)), at_left = p_(left),
               at_right = p_(right);

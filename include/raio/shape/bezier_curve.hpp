@@ -91,9 +91,14 @@ struct bezier_curve {
                 if (gap > tie<W>(slack)) break;
                 both = unite(both, chords[i]);
             }
+            // A stretch is as long as it may be: what is clearly beyond its ends does not start on it.
+            const W beyond = part.half * W(0x1p-20);
+            if (max(both.near.t, -both.far.t) < beyond) {
+                detail::start_at_origin(both.near);
+                detail::start_at_origin(both.far);
+            }
             list.append(both);
         }
-        detail::start_at_origin(list);
         return list;
     }
 

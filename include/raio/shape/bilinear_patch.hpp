@@ -171,6 +171,7 @@ private:
           reach_size = norm1(vec3<E>(reach)), corner_size = norm1(vec3<E>(corner));
         const auto roots = roots_between(f, W(-1), W(2));
         list.certain = roots.certain;
+        bool may_start_here = false;  // at a v of the patch
         for (const polynomial_root<W>& root : roots) {
             // Of a line that all but lies in the surface nobody knows where u is: not to a millionth of the patch.
             if (last_precision<W> && root.error > E(0x1p-20)) {
@@ -205,16 +206,21 @@ private:
             W t = dot(d, vec3<W>(start + along * v)) / d2;
             E error = v_error * abs(dot(vec3<E>(d), vec3<E>(along))) + d_size * (start_error + along_error) +
                       E(8 * roundoff) * d_size * (corner_size + u_size + reach_size);
+            error = error * over_d2;
+            if (abs(E(t)) <= error) {
+                const E here(quotient(-dot(start, along), dot(along, along), W(0))), about(0x1p-20);
+                may_start_here = may_start_here || (here >= -about && here <= E(1) + about);
+            }
             const std::size_t next = list.count;
             const E at_u_error = v_error * norm1(vec3<E>(twist)) + E(16 * roundoff) * (u_size + reach_size);
-            list.append(t, error * over_d2,
+            list.append(t, error,
                         root.before * root.after > 0
                             ? along_ray(root, n, {vec3<W>(edge_u + twist * v), at_u_error}, {along, along_error})
                             : root);
             for (std::size_t i = next; i < list.count; ++i) list.crossings[i].u = root.t, list.crossings[i].v = v;
         }
         sort_by_t(list);
-        if (list.touches_origin() && lies_on(corner, ray.origin)) list.start_at_origin();
+        if (may_start_here && lies_on(corner, ray.origin)) list.start_at_origin();
         return list;
     }
 
