@@ -110,10 +110,9 @@ double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec,
         shape.surface(ray, c, exact);
         return exact.normal;
     };
-    const oracle least = (norm1(exact_ray.origin) + norm1(vec3<oracle>(rec.point))) * 1e-38;
-    const vec3<oracle> normal = normal_at(exact_ray, crossing), error = vec3<oracle>(rec.error) + vec3<oracle>(least);
+    const vec3<oracle> normal = normal_at(exact_ray, crossing), error(rec.error);
     const double off = rounded<double>(length(normal - vec3<oracle>(rec.normal))) - 4 * unit_roundoff<T>;
-    if (!(off > 0) || !crossing.certain) return 0;
+    if (!(off > 0) || !crossing.certain || crossing.shared) return 0;
     double explained = 0;
     for (int i = 0; i < 27; ++i) {
         ray<oracle> moved = exact_ray;
