@@ -99,6 +99,14 @@ TEST_CASE("algebraic_crossing: a line that cannot be told from one in the surfac
         REQUIRE((list.count >= 1 && list.crossings[0].entering && list.crossings[0].t == W(2)));
         CHECK((list.crossings[0].error < 1e-9 && !list.certain));
     }
+    crossing_list<W, 8> list;
+    piecewise_walk<W, 8> walk{along, {}, list};
+    // Zero at last, and cannot be told from it from x = 1/4 on.
+    walk.cross({{W(0x1p-20), W(-0x1p-19), W(0), W(0), W(0)}, {0x1p-21}}, W(-0.5), W(0.5));
+    walk.reach(1);
+    REQUIRE((list.count == 2 && list.crossings[0].entering && !list.crossings[1].entering));
+    CHECK((list.crossings[0].t <= W(3.5) && list.crossings[0].t >= W(2) && list.crossings[1].t == W(4)));
+    CHECK((list.crossings[1].error < 1e-9 && !list.certain));
 }
 
 TEST_CASE("algebraic_crossing: what two pieces cross where they meet is one crossing, as far off as either") {

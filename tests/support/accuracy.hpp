@@ -98,8 +98,8 @@ oracle stated_error(const probe<Shape>& p, number_t<Shape> t) {
 
 /// How far the recorded normal is from that of the crossing, beyond four roundings and what the normal changes within
 /// the error of the point: so far the ray may be moved, and the crossing along it; of one that moves farther it is a
-/// part. Beside an edge it is that of another face, and on the edge either's: the ray moves by 38 digits at least. (Of
-/// a crossing of which 75 digits are not certain, as one of the edge of a box without thickness, it may be any.)
+/// part. Beside an edge it is that of another face. (Of a crossing that two faces share it may be either's, and of one
+/// of which 75 digits are not certain, as one of the edge of a box without thickness, any.)
 template <class Shape>
 double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec, const crossing<oracle>& crossing) {
     using T = number_t<Shape>;

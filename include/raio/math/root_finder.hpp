@@ -245,8 +245,9 @@ private:
             if (!(step > (good ? tolerance : E(unit_roundoff<W>)) * E(abs(t)))) break;
         }
 
-        // The root lies where the sign changes beyond doubt. (Of a root of a higher order the slope, which is all but
-        // zero there, would have it anywhere.)
+        // The root lies where the sign changes beyond doubt. It is looked for from as near as the slope says on, or
+        // from next to t, if that is no longer a small part of the interval: of a root of a higher order the slope,
+        // which is all but zero there, would have it anywhere.
         E by_slope = quotient(E(4) * noise_at(t), abs(slope), step);
         E reach = (by_slope < E(0x1p-10) * E(to.t - from.t) ? by_slope : E(0)) + step * left_of_step(tolerance) +
                   resolution(t);

@@ -91,7 +91,8 @@ struct bezier_curve {
                 if (gap > tie<W>(slack)) break;
                 both = unite(both, chords[i]);
             }
-            // A stretch is as long as it may be: what is clearly beyond its ends does not start on it.
+            // A stretch is as long as it may be: what is beyond its ends, by a millionth of the size, does not start on
+            // it, however little is known of where in there it is met.
             const W beyond = part.half * W(0x1p-20);
             if (max(both.near.t, -both.far.t) < beyond) {
                 detail::start_at_origin(both.near);

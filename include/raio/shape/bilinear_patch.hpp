@@ -171,7 +171,7 @@ private:
           reach_size = norm1(vec3<E>(reach)), corner_size = norm1(vec3<E>(corner));
         const auto roots = roots_between(f, W(-1), W(2));
         list.certain = roots.certain;
-        bool may_start_here = false;  // at a v of the patch
+        bool may_start_here = false;  // on the patch, to a millionth of v
         for (const polynomial_root<W>& root : roots) {
             // Of a line that all but lies in the surface nobody knows where u is: not to a millionth of the patch.
             if (last_precision<W> && root.error > E(0x1p-20)) {
