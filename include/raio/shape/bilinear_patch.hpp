@@ -92,7 +92,8 @@ struct bilinear_patch {
         W quarter(0.25), size = norm1(edge_u * quarter) + norm1(reach * quarter),
                          scale = has_room_for<T, W> ? W(1) : quarter / size;
         vec3<W> scaled_u = edge_u * scale, scaled_v = edge_v * scale, scaled_twist = twist * scale;
-        // In all digits of W: beside a fold the two have nearly one direction, and little is left of the terms.
+        // In all digits of W, here and below: on a sliver or beside a fold the two have nearly one direction, and
+        // little is left of the terms.
         vec3<Q> outward(cross(vec3<W>(scaled_u + scaled_twist * at.v), vec3<W>(scaled_v + scaled_twist * at.u)));
         vec3<Q> a(scaled_u), w(scaled_v), turn(scaled_twist);
         vec3<Q> aw = cross(a, w), at_u = cross(a, turn), at_v = cross(turn, w);
@@ -100,8 +101,9 @@ struct bilinear_patch {
         // The three are independent unless the patch is flat: only then the normal may vanish, at a corner without an
         // edge or on a fold, and is that of the plane. Much smaller than its terms it is rounding for the most part.
         if (norm1(outward) <= Q(0x1p12 * unit_roundoff<Q>) * (norm1(aw) + norm1(at_u) + norm1(at_v))) {
-            const auto larger = [](const vec3<Q>& x, const vec3<Q>& y) { return norm1(x) < norm1(y) ? y : x; };
-            outward = larger(aw, larger(at_u, at_v));
+            const auto larger = [](const vec3<W>& x, const vec3<W>& y) { return norm1(x) < norm1(y) ? y : x; };
+            outward = vec3<Q>(larger(cross(scaled_u, scaled_v),
+                                     larger(cross(scaled_u, scaled_twist), cross(scaled_twist, scaled_v))));
             outward = outward * (copysign(Q(1), dot(outward, direction)) * Q(at.entering ? -1 : 1));
         }
         vec3<Q> facing = outward * choose(at.entering, Q(1), Q(-1));
