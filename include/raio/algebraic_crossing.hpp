@@ -96,17 +96,6 @@ RAIO_FN constexpr roots_along<W, N> find_roots(const polynomial<W, N>& f, const 
 
 namespace detail {
 
-/// What cannot be told from t = 0 is there: a ray that starts on the surface.
-template <class W>
-RAIO_FN constexpr void start_at_origin(crossing<W>& c) {
-    const bound_t<W> away = abs(bound_t<W>(c.t));
-    if (away <= c.error) c.error += away, c.t = W(0);
-}
-template <class W, std::size_t N>
-RAIO_FN constexpr void start_at_origin(crossing_list<W, N>& list) {
-    for (std::size_t i = 0; i < list.count; ++i) start_at_origin(list.crossings[i]);
-}
-
 /// The places x that lie between the ends of a chord, and a little beyond it.
 template <class W>
 RAIO_FN constexpr vec2<W> range_of(const chord<W>& clip, const line_part<W>& part) {
@@ -167,7 +156,7 @@ RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W,
         within = goes_on;
     }
     if (within) append(inside);
-    detail::start_at_origin(list);
+    list.start_at_origin();
     return list;
 }
 
@@ -191,7 +180,7 @@ RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N
         list.certain = list.certain && before > before_error && after > after_error;
         list.append(c.t, c.error, root);
     }
-    detail::start_at_origin(list);
+    list.start_at_origin();
     return list;
 }
 template <class W, std::size_t N>

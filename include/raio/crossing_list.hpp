@@ -8,6 +8,13 @@
 
 namespace raio {
 
+/// What cannot be told from t = 0 is there: the ray starts on the surface.
+template <class W>
+RAIO_FN constexpr void start_at_origin(crossing<W>& c) {
+    const bound_t<W> away = abs(bound_t<W>(c.t));
+    if (away <= c.error) c.error += away, c.t = W(0);
+}
+
 /// The crossings of one line with a surface, in order. All that are listed exist in the precision of W.
 template <class W, std::size_t N>
 struct crossing_list {
@@ -51,11 +58,9 @@ struct crossing_list {
         }
         return false;
     }
-    /// It does: what cannot be told from t = 0 is there.
+    /// It does.
     RAIO_FN constexpr void start_at_origin() {
-        for (std::size_t i = 0; i < count; ++i) {
-            if (abs(bound_t<W>(crossings[i].t)) <= crossings[i].error) crossings[i].t = W(0);
-        }
+        for (std::size_t i = 0; i < count; ++i) raio::start_at_origin(crossings[i]);
     }
 };
 

@@ -113,7 +113,7 @@ struct blob {
             }
         }
         along.reach(1);
-        detail::start_at_origin(list);
+        list.start_at_origin();
         return list;
     }
 

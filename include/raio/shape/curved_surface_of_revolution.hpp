@@ -31,7 +31,7 @@ struct revolved_piece<T, 3> {
         list.certain = part.certain;
         if (!part.exists) return list;
         list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
-        start_at_origin(list);
+        list.start_at_origin();
         keep_if_reachable<T>(ray, list);
         return list;
     }
