@@ -68,7 +68,7 @@ RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
     W before = c.t - slab.near.t, after = slab.far.t - c.t;
     using E = bound_t<W>;
     E before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
-    E size = abs(E(slab.near.t)) + abs(E(slab.far.t));  // not of the chord, which may be a point
+    E size = abs(E(slab.near.t)) + abs(E(slab.far.t));  // of its t, as in polyhedra: what is between may be a point
     const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
     const mask_t<W> between = every(before > before_error, after > after_error);
     c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));

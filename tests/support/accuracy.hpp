@@ -285,8 +285,7 @@ template <class W, class Shape, class R>
 std::string wrong_bound(const Shape& shape, const ray<R>& ray) {
     const std::vector exact = exact_crossings(shape, ray);
     const std::vector found = all_crossings<W>(shape, ray);
-    const auto is_certain = [](const crossing<W>& c) { return c.certain; };
-    if (found.size() != exact.size() && !std::ranges::all_of(found, is_certain)) return "";
+    if (found.size() != exact.size() && !std::ranges::all_of(found, &crossing<W>::certain)) return "";
     const auto there = std::ranges::count_if(exact, &crossing<oracle>::exists);
     if (std::ranges::count_if(found, [](const auto& c) { return c.certain && c.exists; }) > there) {
         return "certain of a false hit";
