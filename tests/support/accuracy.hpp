@@ -162,19 +162,21 @@ std::string inexactness(const probe<Shape>& p, double& worst_ulp) {
     using T = number_t<Shape>;
     hit_record<T> rec;
     const bool hit = p.hit(rec);
-    std::string wrong = hit ? "false hit, " + literal(rec) : "";
+    std::string wrong;
+    bool compared = false;
     for (const crossing<oracle>& c : exact_crossings(p.shape, p.ray)) {
         const T low = rounded<T>(c.t - c.error), high = rounded<T>(c.t + c.error);
         if (!c.exists || !(low <= p.t_max && p.t_min <= high && std::isfinite(rounded<T>(c.t)))) continue;
         const bool counts = p.t_min <= low && high <= p.t_max;
         if (hit) {
+            compared = true;
             wrong = difference(p, rec, c, worst_ulp);
             if (wrong.empty() || counts) return wrong;
         } else if (counts) {
             return "false miss, t = " + literal(rounded<T>(c.t));
         }
     }
-    return wrong;
+    return hit && !compared ? "false hit, " + literal(rec) : wrong;
 }
 
 /// Can double_double not decide about a crossing, or whether it is in the window?

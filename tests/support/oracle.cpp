@@ -1,88 +1,100 @@
 #include "support/oracle.hpp"
 
-#include <boost/multiprecision/mpfr.hpp>
+#include <mpfr.h>
+
 #include <cmath>
+#include <cstddef>
 #include <new>
 
 namespace raio::test {
 
-namespace mp = boost::multiprecision;
-using number = mp::number<mp::mpfr_float_backend<75, mp::allocate_stack>, mp::et_off>;
-using limits = std::numeric_limits<number>;
+using limits = std::numeric_limits<oracle>;
 
-static_assert(limits::digits == std::numeric_limits<oracle>::digits);
-static_assert(limits::max_exponent == std::numeric_limits<oracle>::max_exponent);
-static_assert(limits::min_exponent == std::numeric_limits<oracle>::min_exponent);
-
-/// The number in an oracle.
+/// What an oracle holds: MPFR's number, with its digits behind it, so that there is nothing to free.
 struct stored {
-    static_assert(sizeof(number) <= sizeof(oracle));  // whose destructor has nothing to free
+    __mpfr_struct number;
+    std::array<mp_limb_t, (limits::digits - 1) / GMP_NUMB_BITS + 1> digits;
 
-    static const number& in(const oracle& x) {
-        return *std::launder(reinterpret_cast<const number*>(x.number_.data()));
-    }
-    static void put(oracle& x, const number& value) { ::new (x.number_.data()) number(value); }
-    static oracle from(const number& value) {
-        oracle x;
-        put(x, value);
-        return x;
+    static mpfr_ptr in(oracle& x) { return &std::launder(reinterpret_cast<stored*>(x.number_.data()))->number; }
+    static mpfr_srcptr in(const oracle& x) {
+        return &std::launder(reinterpret_cast<const stored*>(x.number_.data()))->number;
     }
 
-    /// What MPFR makes of both, where it is to be. (Boost's operators copy it there.)
+    /// What the operation of MPFR makes of these, rounded.
     template <auto Operation>
-    static oracle result(const oracle& a, const oracle& b) {
-        oracle x;
-        number& to = *std::launder(reinterpret_cast<number*>(x.number_.data()));
-        Operation(to.backend().data(), in(a).backend().data(), in(b).backend().data(), MPFR_RNDN);
-        return x;
+    static oracle result(const auto&... x) {
+        oracle made;
+        Operation(in(made), x..., MPFR_RNDN);
+        return made;
+    }
+    template <auto Operation>
+    static oracle of(const auto&... x) {
+        return result<Operation>(in(x)...);
     }
 };
 
-oracle::oracle() { ::new (number_.data()) number(); }
-oracle::oracle(double x) { ::new (number_.data()) number(x); }
-oracle::oracle(long double x) { ::new (number_.data()) number(x); }
-oracle::oracle(const char* decimal) { ::new (number_.data()) number(decimal); }
-oracle::oracle(const oracle& x) { stored::put(*this, stored::in(x)); }
+static_assert(sizeof(stored) <= sizeof(oracle));
+
+oracle::oracle() {
+    stored& made = *::new (number_.data()) stored;
+    mpfr_custom_init_set(&made.number, MPFR_ZERO_KIND, 0, limits::digits, made.digits.data());
+}
+oracle::oracle(double x) : oracle() { mpfr_set_d(stored::in(*this), x, MPFR_RNDN); }
+oracle::oracle(long double x) : oracle() { mpfr_set_ld(stored::in(*this), x, MPFR_RNDN); }
+oracle::oracle(const char* decimal) : oracle() { mpfr_set_str(stored::in(*this), decimal, 10, MPFR_RNDN); }
+oracle::oracle(const oracle& x) { *this = x; }
+/// Its bytes; the digits have moved with them.
 oracle& oracle::operator=(const oracle& x) {
-    stored::put(*this, stored::in(x));
+    number_ = x.number_;
+    mpfr_custom_move(stored::in(*this), number_.data() + offsetof(stored, digits));
     return *this;
 }
 
-oracle::operator float() const { return mpfr_get_flt(stored::in(*this).backend().data(), MPFR_RNDN); }
-oracle::operator double() const { return mpfr_get_d(stored::in(*this).backend().data(), MPFR_RNDN); }
+oracle::operator float() const { return mpfr_get_flt(stored::in(*this), MPFR_RNDN); }
+oracle::operator double() const { return mpfr_get_d(stored::in(*this), MPFR_RNDN); }
 /// By its highest digits, cut: MPFR rounds them, in five times the time.
 oracle::operator long double() const {
-    const mpfr_srcptr x = stored::in(*this).backend().data();
+    const mpfr_srcptr x = stored::in(*this);
     if (!mpfr_regular_p(x)) return mpfr_get_d(x, MPFR_RNDN);
-    const long double upper = static_cast<long double>(x->_mpfr_d[(mpfr_get_prec(x) - 1) / mp_bits_per_limb]);
-    return std::ldexp(mpfr_sgn(x) < 0 ? -upper : upper, static_cast<int>(mpfr_get_exp(x)) - mp_bits_per_limb);
+    const long double upper = static_cast<long double>(x->_mpfr_d[(mpfr_get_prec(x) - 1) / GMP_NUMB_BITS]);
+    return std::ldexp(mpfr_sgn(x) < 0 ? -upper : upper, static_cast<int>(mpfr_get_exp(x)) - GMP_NUMB_BITS);
 }
-std::string oracle::str(int digits) const { return stored::in(*this).str(digits); }
-
-oracle operator-(const oracle& a) { return stored::from(-stored::in(a)); }
-oracle operator+(const oracle& a, const oracle& b) { return stored::result<mpfr_add>(a, b); }
-oracle operator-(const oracle& a, const oracle& b) { return stored::result<mpfr_sub>(a, b); }
-oracle operator*(const oracle& a, const oracle& b) { return stored::result<mpfr_mul>(a, b); }
-oracle operator/(const oracle& a, const oracle& b) { return stored::result<mpfr_div>(a, b); }
-bool operator==(const oracle& a, const oracle& b) { return stored::in(a) == stored::in(b); }
-bool operator<(const oracle& a, const oracle& b) { return stored::in(a) < stored::in(b); }
-bool operator<=(const oracle& a, const oracle& b) { return stored::in(a) <= stored::in(b); }
-
-oracle sqrt(const oracle& x) { return stored::from(sqrt(stored::in(x))); }
-oracle abs(const oracle& x) { return stored::from(abs(stored::in(x))); }
-oracle floor(const oracle& x) { return stored::from(floor(stored::in(x))); }
-oracle sin(const oracle& x) { return stored::from(sin(stored::in(x))); }
-oracle cos(const oracle& x) { return stored::from(cos(stored::in(x))); }
-oracle copysign(const oracle& magnitude, const oracle& sign) {
-    return stored::from(copysign(stored::in(magnitude), stored::in(sign)));
+std::string oracle::str(int digits) const {
+    std::string text(static_cast<std::size_t>(mpfr_snprintf(nullptr, 0, "%.*Rg", digits, stored::in(*this))), ' ');
+    mpfr_snprintf(text.data(), text.size() + 1, "%.*Rg", digits, stored::in(*this));
+    return text;
 }
-oracle atan2(const oracle& y, const oracle& x) { return stored::from(atan2(stored::in(y), stored::in(x))); }
-bool isfinite(const oracle& x) { return isfinite(stored::in(x)); }
+
+oracle operator-(const oracle& a) { return stored::of<mpfr_neg>(a); }
+oracle operator+(const oracle& a, const oracle& b) { return stored::of<mpfr_add>(a, b); }
+oracle operator-(const oracle& a, const oracle& b) { return stored::of<mpfr_sub>(a, b); }
+oracle operator*(const oracle& a, const oracle& b) { return stored::of<mpfr_mul>(a, b); }
+oracle operator/(const oracle& a, const oracle& b) { return stored::of<mpfr_div>(a, b); }
+bool operator==(const oracle& a, const oracle& b) { return mpfr_equal_p(stored::in(a), stored::in(b)); }
+bool operator<(const oracle& a, const oracle& b) { return mpfr_less_p(stored::in(a), stored::in(b)); }
+bool operator<=(const oracle& a, const oracle& b) { return mpfr_lessequal_p(stored::in(a), stored::in(b)); }
+
+oracle sqrt(const oracle& x) { return stored::of<mpfr_sqrt>(x); }
+oracle abs(const oracle& x) { return stored::of<mpfr_abs>(x); }
+oracle floor(const oracle& x) {
+    oracle made;
+    mpfr_floor(stored::in(made), stored::in(x));
+    return made;
+}
+oracle sin(const oracle& x) { return stored::of<mpfr_sin>(x); }
+oracle cos(const oracle& x) { return stored::of<mpfr_cos>(x); }
+oracle copysign(const oracle& magnitude, const oracle& sign) { return stored::of<mpfr_copysign>(magnitude, sign); }
+oracle atan2(const oracle& y, const oracle& x) { return std::atan2(static_cast<double>(y), static_cast<double>(x)); }
+bool isfinite(const oracle& x) { return mpfr_number_p(stored::in(x)); }
 
 }  // namespace raio::test
 
 using raio::test::oracle, raio::test::stored, raio::test::limits;
 
-oracle std::numeric_limits<oracle>::epsilon() { return stored::from(limits::epsilon()); }
-oracle std::numeric_limits<oracle>::max() { return stored::from(limits::max()); }
-oracle std::numeric_limits<oracle>::min() { return stored::from(limits::min()); }
+oracle limits::epsilon() { return stored::result<mpfr_set_si_2exp>(1L, mpfr_exp_t(1 - digits)); }
+oracle limits::max() {
+    oracle most = infinity();
+    mpfr_nextbelow(stored::in(most));
+    return most;
+}
+oracle limits::min() { return stored::result<mpfr_set_si_2exp>(1L, mpfr_exp_t(min_exponent - 1)); }
