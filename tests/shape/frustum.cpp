@@ -73,6 +73,48 @@ TEST_CASE("frustum: past the tip, from all but there (the other cap's error made
           misses}});
 }
 
+/// To points close to the tip, on the side or on the axis; along the axis or a generator, all but along these, or from
+/// anywhere.
+template <class Shape>
+probe<Shape> ray_to_the_tip_of_a_needle(random_numbers& random) {
+    using T = number_t<Shape>;
+    const double size = random.log_uniform(1e-6, 1e6);
+    const vec3<double> apex = random.direction() * (random.one_in(2) ? 0 : size * random.log_uniform(1e-3, 1e3));
+    const vec3<T> tip(apex), wide(apex + random.direction() * size);
+    const T radius = static_cast<T>(size * random.log_uniform(1e-5, 3));
+    const Shape needle = random.one_in(2) ? Shape{tip, wide, T(0), radius} : Shape{wide, tip, radius, T(0)};
+
+    const vec3<double> axis = to_double(wide) - to_double(tip), out = random.perpendicular(axis) * double(radius),
+                       aside = random.direction() * (double(radius) * random.log_uniform(1e-8, 10));
+    const auto maybe = [&](const vec3<double>& v) { return v * double(random.integer(0, 1)); };
+    const vec3<double> target = to_double(tip) + (axis + maybe(out)) * random.log_uniform(1e-16, 1);
+    const vec3<double> direction = random.one_in(4)
+                                       ? random.direction()
+                                       : normalize(axis + maybe(out) + maybe(aside)) * (random.integer(0, 1) * 2.0 - 1);
+    const vec3<T> origin(target - direction * (size * random.log_uniform(1e-6, 1e2)));
+    return {needle, {origin, vec3<T>(direction * random.log_uniform(1e-3, 1e3))}, T(0), infinity<T>};
+}
+
+TEST_CASE_TEMPLATE(
+    "frustum: the normal near an apex (it was the axis from a hundred errors away, or of the other side)", Shape,
+    frustum<float>, frustum<double>, open_frustum<float>, open_frustum<double>) {
+    random_numbers random(15);
+    int hits = 0, complaints = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const probe<Shape> p = ray_to_the_tip_of_a_needle<Shape>(random);
+        hit_record<number_t<Shape>> rec;
+        if (!p.hit(rec)) continue;
+        ++hits;
+        double worst_ulp = 0;
+        std::string wrong = undecided(p) ? "" : inexactness(p, worst_ulp);
+        const vec3<double> d = to_double(p.ray.direction);
+        if (dot(to_double(rec.normal), d) > 1e-6 * length(d)) wrong += "seen from behind, " + literal(rec);
+        if (!wrong.empty() && ++complaints <= 3) FAIL_CHECK(wrong << "\n    {" << literal(p) << "}");
+    }
+    CHECK(complaints == 0);
+    CHECK(hits > 10'000);
+}
+
 TEST_CASE_TEMPLATE("frustum: properties of every shape", T, RAIO_NUMBERS) { check_properties<frustum<T>>(); }
 
 TEST_CASE_TEMPLATE("frustum: as exact arithmetic", T, RAIO_NUMBERS) {
