@@ -88,9 +88,8 @@ probe<Shape> ray_to_the_tip_of_a_needle(random_numbers& random) {
                        aside = random.direction() * (double(radius) * random.log_uniform(1e-8, 10));
     const auto maybe = [&](const vec3<double>& v) { return v * double(random.integer(0, 1)); };
     const vec3<double> target = to_double(tip) + (axis + maybe(out)) * random.log_uniform(1e-16, 1);
-    const vec3<double> direction = random.one_in(4)
-                                       ? random.direction()
-                                       : normalize(axis + maybe(out) + maybe(aside)) * (random.integer(0, 1) * 2.0 - 1);
+    vec3<double> direction = random.one_in(4) ? random.direction() : normalize(axis + maybe(out) + maybe(aside));
+    if (random.one_in(2)) direction = -direction;
     const vec3<T> origin(target - direction * (size * random.log_uniform(1e-6, 1e2)));
     return {needle, {origin, vec3<T>(direction * random.log_uniform(1e-3, 1e3))}, T(0), infinity<T>};
 }

@@ -73,6 +73,16 @@ RAIO_FN constexpr crossing<W> correct_frustum(const vec3<T>& base, const vec3<T>
     });
 }
 
+/// Against the ray at an apex, where a cone has no normal. Seen along the axis it looks like a plane; a ray that only
+/// touches it there comes from the side.
+/// \param tip  along the axis, out of the cone
+template <class W>
+RAIO_FN constexpr vec3<W> normal_at_apex(const vec3<W>& tip, const vec3<W>& d, const mask_t<W>& entering) {
+    const W side = select(entering, W(1), W(-1));
+    W forward = max(W(0), dot(tip, d) * side) * side;
+    return tip - d * (forward / dot(d, d));
+}
+
 /// What both frusta record.
 template <class W, real T, real R, real N>
 RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, const ray<R>& ray,
@@ -88,19 +98,14 @@ RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, 
         const mask_t<W> doubtful =
             every(widening != W(0), rho * min(widens, size) <= E(16) * (error + rounding) * size);
         if (none(doubtful)) return off;
-        // Close to the apex the height may be off by all that is left of it; where the ray is beside the axis hardly
-        // ever is, since it runs along the axis.
+        // Close to an apex the height may be off by all that is left of the cone. The way from the axis is not, where
+        // the ray runs along it, and says the radius as well.
         const auto across = [&](const vec3<W>& v) { return v - axis * (dot(v, axis) / axis2); };
         vec3<W> beside = across(from_axis);
         off = select(doubtful, beside - axis * (widening * length(beside) / axis2), off);
-        // At its apex a cone has no normal. Seen along the axis it looks like a plane; a ray that only touches it there
-        // comes from the side.
         const mask_t<W> at_apex = every(rho <= error, abs(E(radius)) * size <= widens * error);
         const mask_t<W> on_axis = norm1(vec3<E>(beside)) <= norm1(vec3<E>(across(d))) * c.error;
-        const W side = select(c.entering, W(1), W(-1));
-        vec3<W> tip = axis * copysign(W(1), -widening);
-        W forward = max(W(0), dot(tip, d) * side) * side;
-        tip = tip - d * (forward / dot(d, d));
+        vec3<W> tip = normal_at_apex(axis * copysign(W(1), -widening), d, c.entering);
         return select(every(doubtful, some(at_apex, on_axis)), tip, off);
     };
     const T bend = max(radii.x, radii.y) + norm1(vec3<T>(axis));
