@@ -114,6 +114,24 @@ TEST_CASE_TEMPLATE(
     CHECK(hits > 10'000);
 }
 
+TEST_CASE("frustum: the side of a needle is seen from outside (it leaned by the roundings of the height)") {
+    const std::array<probe<frustum<float>>, 2> rays{
+        {{{{-0x1.80a07cp+8f, -0x1.7f2516p+5f, -0x1.76467ep+5f}, {0, 0, 0}, 0x1.d5abcap+1f, 0},
+          {{-0x1.2ea9fp-11f, -0x1.2d7f62p-14f, -0x1.2684a6p-14f}, {0x1.ef4192p+0f, 0x1.ed590cp-3f, 0x1.e1ed5ep-3f}},
+          0,
+          infinity<float>},
+         {{{0x1.c4c35ep-19f, 0x1.80ef6ep-21f, -0x1.3caaap-19f}, {0, 0, 0}, 0x1.2dbf58p-22f, 0},
+          {{-0x1.5925a8p-38f, -0x1.aebfdcp-44f, 0x1.552068p-41f}, {0x1.2697bep+6f, 0x1.6fa822p+0f, -0x1.23294p+3f}},
+          0,
+          infinity<float>}}};
+    for (const probe<frustum<float>>& p : rays) {
+        CAPTURE(literal(p));
+        hit_record<float> rec;
+        REQUIRE(p.hit(rec));
+        CHECK(dot(to_double(rec.normal), to_double(p.ray.direction)) < 0);
+    }
+}
+
 TEST_CASE_TEMPLATE("frustum: properties of every shape", T, RAIO_NUMBERS) { check_properties<frustum<T>>(); }
 
 TEST_CASE_TEMPLATE("frustum: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -91,22 +91,19 @@ RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, 
     vec3<W> axis = difference_as<W>(top, base), d(ray.direction);
     W axis2 = dot(axis, axis), r(radii.x), widening = W(radii.y) - r;
     const auto gradient = [&](const vec3<W>& from_axis, const W& height) {
-        W radius = r + widening * height;
-        vec3<W> off = from_axis - axis * (widening * radius / axis2);
-        const E size = norm1(vec3<E>(axis)), widens = abs(E(widening)), rho = norm1(vec3<E>(from_axis));
-        const E error = norm1(vec3<E>(d)) * c.error, rounding = E(8 * unit_roundoff<W>) * size;
-        const mask_t<W> doubtful =
-            every(widening != W(0), rho * min(widens, size) <= E(16) * (error + rounding) * size);
+        vec3<W> off = from_axis - axis * (widening * (r + widening * height) / axis2);
+        const E size = norm1(vec3<E>(axis)), lean = min(abs(E(widening)), size);
+        const E error = norm1(vec3<E>(d)) * c.error + E(8 * unit_roundoff<W>) * size;
+        const mask_t<W> doubtful = every(widening != W(0), norm1(vec3<E>(from_axis)) * lean <= E(16) * error * size);
         if (none(doubtful)) return off;
         // Close to an apex the height may be off by all that is left of the cone. The way from the axis is not, where
         // the ray runs along it, and says the radius as well.
         const auto across = [&](const vec3<W>& v) { return v - axis * (dot(v, axis) / axis2); };
         vec3<W> beside = across(from_axis);
         off = select(doubtful, beside - axis * (widening * length(beside) / axis2), off);
-        const mask_t<W> at_apex = every(rho <= error, abs(E(radius)) * size <= widens * error);
         const mask_t<W> on_axis = norm1(vec3<E>(beside)) <= norm1(vec3<E>(across(d))) * c.error;
         vec3<W> tip = normal_at_apex(axis * copysign(W(1), -widening), d, c.entering);
-        return select(every(doubtful, some(at_apex, on_axis)), tip, off);
+        return select(every(doubtful, on_axis), tip, off);
     };
     const T bend = max(radii.x, radii.y) + norm1(vec3<T>(axis));
     axial_surface(base, top, radii, bend, ray, c, rec, gradient);
