@@ -98,8 +98,9 @@ oracle stated_error(const probe<Shape>& p, number_t<Shape> t) {
 
 /// How far the recorded normal is from that of the crossing, beyond four roundings and what the normal changes within
 /// the error of the point: so far the ray may be moved, and the crossing along it; of one that moves farther it is a
-/// part. Beside an edge it is that of another face. (Of a crossing that two faces share it may be either's, and of one
-/// of which 75 digits are not certain, as one of the edge of a box without thickness, any.)
+/// part. (A ray that all but lies in a patch passes beside it then: it is moved by less as well.) Beside an edge it is
+/// that of another face. (Of a crossing that two faces share it may be either's, and of one of which 75 digits are not
+/// certain, as one of the edge of a box without thickness, any.)
 template <class Shape>
 double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec, const crossing<oracle>& crossing) {
     using T = number_t<Shape>;
@@ -114,9 +115,10 @@ double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec,
     const double off = rounded<double>(length(normal - vec3<oracle>(rec.normal))) - 4 * unit_roundoff<T>;
     if (!(off > 0) || !crossing.certain || crossing.shared) return 0;
     double explained = 0;
-    for (int i = 0; i < 27; ++i) {
+    for (int i = 0; i < 4 * 27 && explained < off; ++i) {
+        const oracle part(std::ldexp(1.0, -10 * (i / 27)));
         ray<oracle> moved = exact_ray;
-        moved.origin += error * vec3<oracle>(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        moved.origin += error * part * vec3<oracle>(i % 3 - 1, i / 3 % 3 - 1, i / 9 % 3 - 1);
         std::vector crossings = all_crossings<oracle>(shape, moved);
         crossings.push_back(crossing);
         for (const raio::crossing<oracle>& c : crossings) {
