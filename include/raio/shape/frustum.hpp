@@ -94,6 +94,7 @@ RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, 
         vec3<W> off = from_axis - axis * (widening * (r + widening * height) / axis2);
         const E size = norm1(vec3<E>(axis)), lean = min(abs(E(widening)), size);
         const E error = norm1(vec3<E>(d)) * c.error + E(8 * unit_roundoff<W>) * size;
+        // An error turns the normal by its share of the distance from the axis: by a sixteenth of the slope, or more?
         const mask_t<W> doubtful = every(widening != W(0), norm1(vec3<E>(from_axis)) * lean <= E(16) * error * size);
         if (none(doubtful)) return off;
         // Close to an apex the height may be off by all that is left of the cone. The way from the axis is not, where
