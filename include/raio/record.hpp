@@ -85,16 +85,18 @@ RAIO_FN constexpr void add_error(hit_record<T, N>& rec, const T& more) {
     rec.error = detail::finite_error(rec.error + vec3<T>(more));
 }
 
-/// Keeps a recorded point within the bounds: that of a ray that grazes a tip, where W, as the last precision, does not
-/// know t well, may have come to lie beyond them.
+/// Keeps a recorded point within the bounds: where little more is known of t than its own digits, as of a ray that
+/// grazes a tip or comes from far away, it may have come to lie beyond them.
 /// \param bounds  answers with them, to be asked only then
-template <class W, real T, real N, class Bounds>
-RAIO_FN constexpr void keep_in_bounds([[maybe_unused]] hit_record<T, N>& rec, [[maybe_unused]] Bounds bounds) {
-    if constexpr (last_precision<W>) {
-        constexpr double rounding = (1 + 0x1p-7) * unit_roundoff<T>;  // `padded` has room for that 128th
-        const mask_t<T> unknown = norm1(rec.error) > norm1(rec.point) * T(rounding);
-        if (any(unknown)) rec.point = select(unknown, nearest_in(bounds(), rec.point), rec.point);
-    }
+template <real R, class W, real T, real N, class Bounds>
+RAIO_FN constexpr void keep_in_bounds(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec, Bounds bounds) {
+    using E = bound_t<W>;
+    // `padded` has room for the rounding of the point to T, and for a 128th more.
+    const E room = norm1(vec3<E>(vec3<W>(rec.point))) * E(0x1p-7 * unit_roundoff<T>);
+    const E off = norm1(vec3<E>(vec3<W>(ray.direction))) * c.error +
+                  norm1(vec3<E>(vec3<W>(ray.origin))) * E(8 * unit_roundoff<W>);
+    const mask_t<T> unknown = !(off <= room);
+    if (any(unknown)) rec.point = select(unknown, nearest_in(bounds(), rec.point), rec.point);
 }
 
 /// Records a point that lies between corners: seen edge-on or from far away, the computed one may lie beyond them.

@@ -108,6 +108,14 @@ TEST_CASE("cylinder: 2^278 wide, whose fourth powers are beyond the range, where
     CHECK(rec.t == 0x1.128d8ff6fdf5ep+626);  // by 50 digits
 }
 
+TEST_CASE("cylinder: its rim, from far away (beyond the bounds)") {
+    check_cases<cylinder<double>>({{"14,000 sizes",
+                                    {{0, 0, 0}, {0, 0, -0x1.70d3eb72400fcp-3}, 0x1.789fdd3fdb6fcp-11},
+                                    {{0x1.a8f81667ba5cbp+3, 0x1.777fb915ea717p+3, 0x1.49422bc997d6dp+11},
+                                     {-0x1.a8f233e8455d4p+3, -0x1.777fb915ea717p+3, -0x1.4947ee0328302p+11}},
+                                    enters(1)}});
+}
+
 TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, RAIO_NUMBERS) { check_properties<cylinder<T>>(); }
 
 TEST_CASE_TEMPLATE("cylinder: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -48,6 +48,20 @@ TEST_CASE_TEMPLATE("hyperboloid: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("hyperboloid: where it is widest, from far away (beyond the bounds)") {
+    check_cases<hyperboloid<double>>(
+        {{"along its axis",
+          {{0, 0, 0}, {-0x1.7cbc082d12feep-5, 0, 0}, 0x1.8619dd62c7405p-15, 0x1.438e0e65771bep-16},
+          {{0x1.679e630f6307ep+8, -0x1.d22e092a206ecp+4, -0x1.25677235456f7p+2},
+           {-0x1.67a455ff70d79p+8, 0x1.d22e092a206d1p+4, 0x1.2566af2856c06p+2}},
+          enters(0x1.fffffffffffbfp-1)},
+         {"across",
+          {{0, 0, 0}, {0, 0, -0x1.04361396c2419p-5}, 0x1.aa4dfc7f45eabp-13, 0x1.1ca4b119b8436p-15},
+          {{0x1.aa230f872450bp+7, 0x1.c5d9360eb7955p-1, 0x1.f976272c02f35p+8},
+           {-0x1.aa230f872450bp+7, -0x1.c5be912eefa0fp-1, -0x1.f97a3804514e6p+8}},
+          enters(1)}});
+}
+
 TEST_CASE_TEMPLATE("hyperboloid: properties of every shape", T, RAIO_NUMBERS) { check_properties<hyperboloid<T>>(); }
 
 TEST_CASE_TEMPLATE("hyperboloid: as exact arithmetic", T, RAIO_NUMBERS) {

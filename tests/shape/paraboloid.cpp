@@ -50,6 +50,21 @@ TEST_CASE_TEMPLATE("paraboloid: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("paraboloid: its vertex and its rim, from far away (beyond the bounds)") {
+    check_cases<paraboloid<double>>({{"along its axis",
+                                      {{0, 0, 0}, {0, 0, -0x1.b2172a9c68c62p-5}, 0x1.07d8ca2e8511ep-13},
+                                      {{0x1.fedcabb4d158p-5, 0x1.802bc54c602bdp-5, 0x1.ef2365714ce9ep+4},
+                                       {-0x1.fedcabb4c804dp-5, -0x1.802bc54c6a081p-5, -0x1.ef2365714ce5cp+4}},
+                                      enters(0x1.0000000000022p+0)},
+                                     {"across",
+                                      {{-0x1.1990463fba2f2p-5, 0x1.1112cba9842d7p-4, 0x1.95dfc7677970fp-4},
+                                       {0x1.5c834588d405ep-6, 0x1.1112cba9842d7p-4, 0x1.95dfc7677970fp-4},
+                                       0x1.13b8a54af6c22p-13},
+                                      {{-0x1.14684e3b2cd0fp+4, 0x1.472cf1fd1c08ap-4, 0x1.22f6f4418dd98p-4},
+                                       {0x1.13db86180cf3ep+4, -0x1.b0d1329cbed98p-7, 0x1.cba34c97ae5dcp-6}},
+                                      enters(0x1.fffffffffffffp-1)}});
+}
+
 TEST_CASE_TEMPLATE("paraboloid: properties of every shape", T, RAIO_NUMBERS) { check_properties<paraboloid<T>>(); }
 
 TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -93,6 +93,18 @@ TEST_CASE_TEMPLATE("steiner: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("steiner: where a segment that sheets cross in ends, from far away (beyond the bounds)") {
+    check_cases<steiner<float>>(
+        {{"askew",
+          {{0, 0, 0}, 0x1.c73296p-9f},
+          {{0x1.b6278cp+1f, -0x1.bcdf1cp+1f, 0x1.63964p-2f}, {-0x1.66464cp-67f, 0x1.6bf3b4p-67f, -0x1.22e7bap-70f}},
+          enters(0x1.38eb1p+68)},
+         {"all but along it",
+          {{-0x1.2b72ep-3f, 0x1.c88908p-3f, -0x1.258c62p-3f}, 0x1.8a6f0ap-2f},
+          {{-0x1.2b72dcp-3f, -0x1.821c42p-2f, -0x1.258c66p-3f}, {-0x1p-25f, 0x1.a1294p-2f, 0x1p-25f}},
+          enters(1)}});
+}
+
 TEST_CASE_TEMPLATE("steiner: properties of every shape", T, RAIO_NUMBERS) { check_properties<steiner<T>>(); }
 
 TEST_CASE_TEMPLATE("steiner: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -88,6 +88,19 @@ TEST_CASE_TEMPLATE("teardrop: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("teardrop: its tip, from far away, where its bounds end as well (beyond them)") {
+    check_cases<teardrop<float>>(
+        {{"across",
+          {{0, 0, 0}, {-0x1.698198p-3f, 0, 0}, 0x1.5117a2p+0f},
+          {{-0x1.412004p+11f, 0x1.1819p+3f, 0x1.0ee888p+8f}, {0x1.411a5ep+11f, -0x1.1819p+3f, -0x1.0ee888p+8f}},
+          enters(1)}});
+    check_cases<teardrop<double>>({{"along its axis",
+                                    {{0, 0, 0}, {0x1.2671eb15fd06fp-8, 0, 0}, 0x1.8047d80d5d934p-8},
+                                    {{0x1.7d34a7f4fdbe4p+5, -0x1.5d4043de4d8fcp-24, 0x1.513ffaa1f753p-25},
+                                     {-0x1.7d2b746623746p+5, 0x1.5d4043de4d8fcp-24, -0x1.513ffaa1f753p-25}},
+                                    enters(0x1.ffffffff56336p-1)}});
+}
+
 TEST_CASE_TEMPLATE("teardrop: properties of every shape", T, RAIO_NUMBERS) { check_properties<teardrop<T>>(); }
 
 TEST_CASE_TEMPLATE("teardrop: as exact arithmetic", T, RAIO_NUMBERS) {

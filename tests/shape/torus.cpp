@@ -171,6 +171,22 @@ TEST_CASE("torus: so large that no square of it is a number (two components of t
     CHECK(length(rec.normal) == doctest::Approx(1));
 }
 
+TEST_CASE("torus: where it touches its bounds, from far away (beyond them)") {
+    check_cases<torus<float>>(
+        {{"5,000 sizes",
+          {{0, 0, 0}, {-1, 0, 0}, 0x1.5d5bdap+1f, 0x1.09399p-5f},
+          {{-0x1.68293cp+5f, 0x1.2aed1p+10f, -0x1.05dcd4p+13f}, {0x1.67e6eep+5f, -0x1.2aed1p+10f, 0x1.05f2aap+13f}},
+          enters(1)}});
+    check_cases<torus<double>>({{"5,000 sizes",
+                                 {{-0x1.9f304a3a6f641p-8, 0x1.3ce37efa674f3p-7, 0x1.3d6e3f658dc58p-8},
+                                  {1, 0, 0},
+                                  0x1.97fb817b039b7p-6,
+                                  0x1.58ee14887cd83p-12},
+                                 {{0x1.82bfaeccd4d52p+4, -0x1.ef4e6dca0ef32p+6, -0x1.74eb01bc41449p+4},
+                                  {-0x1.82d9a1d1787c1p+4, 0x1.ef3e7ef269f4p+6, 0x1.74fed8a0379d7p+4}},
+                                 enters(1)}});
+}
+
 TEST_CASE_TEMPLATE("torus: properties of every shape", T, RAIO_NUMBERS) { check_properties<torus<T>>(); }
 
 TEST_CASE_TEMPLATE("torus: as exact arithmetic", T, RAIO_NUMBERS) {

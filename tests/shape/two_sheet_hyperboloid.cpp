@@ -35,6 +35,15 @@ TEST_CASE_TEMPLATE("two_sheet_hyperboloid: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE("two_sheet_hyperboloid: its rim, from far away (beyond the bounds)") {
+    check_cases<two_sheet_hyperboloid<double>>(
+        {{"across",
+          {{0, 0, 0}, {0x1.0bd12d5913937p-8, 0, 0}, 0x1.896c568bd161ep-8, 0x1.5c4dd88ece386p-20},
+          {{0x1.0bce7250deddap-8, -0x1.c026297242882p+5, -0x1.a08c43b4b0b53p+3},
+           {0x1.5d841a15e8p-23, 0x1.c02629942b647p+5, 0x1.a08c411b99be3p+3}},
+          enters(0x1.ffffffd942521p-1)}});
+}
+
 TEST_CASE_TEMPLATE("two_sheet_hyperboloid: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<two_sheet_hyperboloid<T>>();
 }

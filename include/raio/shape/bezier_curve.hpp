@@ -184,7 +184,7 @@ struct bezier_curve {
         const aabb<T> box = around_controls();
         const T size = norm1(vec3<T>(box.max - box.min));
         record_gradient(ray, c, from_center, size, rec);
-        keep_in_bounds<W>(rec, [this] { return bounds(); });
+        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
         // From where on s is certain, of a curve of 2^-30 of its length; or as far as a tangent may be off, at which
         // such an s has no certain root.
         T apart = T(0x1p-60) * size;

@@ -111,6 +111,7 @@ RAIO_FN constexpr void cylinder_surface(const vec3<T>& base, const vec3<T>& top,
                                         const crossing<W>& c, hit_record<T, N>& rec) {
     axial_surface(base, top, vec2<T>(radius), radius, ray, c, rec,
                   [](const vec3<W>& from_axis, const W&) { return from_axis; });
+    keep_in_bounds(ray, c, rec, [&] { return axial_bounds(base, top, vec2<T>(radius)); });
 }
 
 }  // namespace detail

@@ -108,7 +108,7 @@ RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, 
     };
     const T bend = max(radii.x, radii.y) + norm1(vec3<T>(axis));
     axial_surface(base, top, radii, bend, ray, c, rec, gradient);
-    keep_in_bounds<W>(rec, [&] { return axial_bounds(base, top, radii); });
+    keep_in_bounds(ray, c, rec, [&] { return axial_bounds(base, top, radii); });
 }
 
 /// The area of the side, and the point of it that `u` chooses: u.x turns about the axis, u.y is the area between the

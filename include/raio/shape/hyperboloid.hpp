@@ -107,6 +107,7 @@ RAIO_FN constexpr void hyperboloid_surface(const vec3<T>& base, const vec3<T>& t
     axial_surface(
         base, top, vec2<T>(end_radius), T(side.radius) + norm1(vec3<T>(axis)), ray, c, rec,
         [&](const vec3<W>& from_axis, const W& height) { return from_axis - axis * (slope * (height - W(0.5))); });
+    keep_in_bounds(ray, c, rec, [&] { return axial_bounds(base, top, vec2<T>(T(side.radius))); });
 }
 
 /// From the least |y| to 1 the area of the side is 4 pi times that below this curve: with rho^2 = c + a y^2 and half

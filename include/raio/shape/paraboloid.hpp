@@ -44,16 +44,6 @@ RAIO_FN constexpr crossing<W> correct_paraboloid(const vec3<T>& vertex, const ve
     });
 }
 
-/// What both paraboloids record.
-template <class W, real T, real R, real N>
-RAIO_FN constexpr void paraboloid_surface(const vec3<T>& vertex, const vec3<T>& top, T radius, const ray<R>& ray,
-                                          const crossing<W>& c, hit_record<T, N>& rec) {
-    vec3<W> axis = difference_as<W>(top, vertex);
-    vec3<W> down = axis * (W(0.5) * W(radius) * W(radius) / dot(axis, axis));
-    axial_surface(vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)), ray, c, rec,
-                  [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });
-}
-
 /// Around the curve h axis + sqrt(h) reach, whose highest point is inside of the paraboloid's ends where the axis goes
 /// down steeply enough.
 template <real T>
@@ -67,6 +57,17 @@ RAIO_FN constexpr aabb<T> paraboloid_bounds(const vec3<T>& vertex, const vec3<T>
     vec3<T> down(highest(-axis.x, reach.x), highest(-axis.y, reach.y), highest(-axis.z, reach.z));
     vec3<T> rounding(norm1(axis) * T(2 * unit_roundoff<T>));
     return padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)});
+}
+
+/// What both paraboloids record.
+template <class W, real T, real R, real N>
+RAIO_FN constexpr void paraboloid_surface(const vec3<T>& vertex, const vec3<T>& top, T radius, const ray<R>& ray,
+                                          const crossing<W>& c, hit_record<T, N>& rec) {
+    vec3<W> axis = difference_as<W>(top, vertex);
+    vec3<W> down = axis * (W(0.5) * W(radius) * W(radius) / dot(axis, axis));
+    axial_surface(vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)), ray, c, rec,
+                  [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });
+    keep_in_bounds(ray, c, rec, [&] { return paraboloid_bounds(vertex, top, radius); });
 }
 
 /// The area of the side.

@@ -76,6 +76,7 @@ struct steiner {
                          W(2) * p.y * (squares.z + squares.x) - p.z * p.x,
                          W(2) * p.z * (squares.x + squares.y) - p.x * p.y);
         record_gradient(ray, c, gradient, size, rec);
+        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
         const auto place = [](const W& x) { return raio::max(T(0), raio::min(T(1), T(x + W(0.5)))); };
         rec.uv = {place(p.x), place(p.y)};
     }

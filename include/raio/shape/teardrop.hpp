@@ -76,6 +76,7 @@ struct teardrop {
           bend = size * (slender * slender + Q(1)) + Q(radius);
         const T most = std::numeric_limits<scalar_t<T>>::max();
         record_gradient(ray, c, from_axis * W(27) - axis * slope, bend < Q(most) ? T(bend) : most, rec);
+        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
         const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
         vec3<Q> beside(from_axis);
         rec.uv = {turns(T(dot(beside, f.y)), T(dot(beside, f.x))), raio::max(T(0), raio::min(T(1), T(h)))};

@@ -167,6 +167,7 @@ struct torus {
         vec3<Q> from_circle = vec3<Q>(beside) * beyond + vec3<Q>(up) * rho;  // times rho
         vec3<N> outward(nowhere ? f.z * Q(along ? 1 : -1) : normalize_from<T>(from_circle));
         record_point(ray, c, rec, major_radius + minor_radius);
+        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
         rec.normal = outward * select(c.entering, N(1), N(-1));
         rec.uv = {turns(T(dot(vec3<Q>(beside), f.y)), T(dot(vec3<Q>(beside), f.x))),
                   turns(T(dot(vec3<Q>(up), f.z)), T(beyond))};
