@@ -155,4 +155,20 @@ TEST_CASE("chord: what cannot be told from a point is one, where that is known b
     CHECK((!none.near.exists && none.near.certain));
 }
 
+TEST_CASE("chord: an end that cannot be told from the ray's origin is there, if the ray starts on the surface") {
+    const auto moved = [](double near, double far, bool starts) {
+        chord<double> c{{true, true, near, 0.5, true}, {true, true, far, 0.25, false}};
+        start_on_surface(c, [&] { return starts; });
+        return c;
+    };
+    const chord<double> at_near = moved(-0.5, 2, true), at_far = moved(-2, 0.125, true), off = moved(-0.5, 2, false);
+    CHECK((at_near.near.t == 0 && at_near.near.error == 1 && at_near.far.t == 2 && at_near.far.error == 0.25));
+    CHECK((at_far.near.t == -2 && at_far.near.error == 0.5 && at_far.far.t == 0 && at_far.far.error == 0.375));
+    CHECK((off.near.t == -0.5 && off.near.error == 0.5));
+    chord<double> elsewhere{{true, true, 1, 0.5, true}, {true, true, 2, 0.5, false}};
+    bool asked = false;
+    start_on_surface(elsewhere, [&] { return asked = true; });
+    CHECK((!asked && elsewhere.near.t == 1 && elsewhere.far.t == 2));
+}
+
 }  // namespace raio::test

@@ -49,6 +49,15 @@ RAIO_FN constexpr bool missed(const chord_pair<W>& c) {
     return missed(c.first) && missed(c.second);
 }
 
+/// \param starts  does a line that is within its error of the surface where it starts, start on it?
+template <class W>
+RAIO_FN constexpr void start_on_surface(chord<W>& c, auto starts) {
+    if (!any(some(touches_origin(c.near), touches_origin(c.far)))) return;
+    const mask_t<W> on_it = starts();
+    start_at_origin(c.near, on_it);
+    start_at_origin(c.far, on_it);
+}
+
 /// The chord of a line that misses, or may miss.
 template <class W>
 RAIO_FN constexpr chord<W> nowhere(const mask_t<W>& certain) {

@@ -97,6 +97,20 @@ struct crossing {
     bool missed = false;   ///< is nothing left to find out: does every lane's line miss, beyond doubt?
 };
 
+/// May the line start on the surface?
+template <class W>
+RAIO_FN constexpr mask_t<W> touches_origin(const crossing<W>& c) {
+    return abs(bound_t<W>(c.t)) <= c.error;
+}
+
+/// Where the line starts on the surface, what cannot be told from t = 0 is there.
+template <class W>
+RAIO_FN constexpr void start_at_origin(crossing<W>& c, const mask_t<W>& starts) {
+    const mask_t<W> there = every(starts, touches_origin(c));
+    c.error = select(there, c.error + abs(bound_t<W>(c.t)), c.error);
+    c.t = select(there, W(0), c.t);
+}
+
 /// All crossings of a line are wanted.
 struct every_crossing {};
 

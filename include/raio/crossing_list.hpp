@@ -8,13 +8,6 @@
 
 namespace raio {
 
-/// What cannot be told from t = 0 is there: the ray starts on the surface.
-template <class W>
-RAIO_FN constexpr void start_at_origin(crossing<W>& c) {
-    const bound_t<W> away = abs(bound_t<W>(c.t));
-    if (away <= c.error) c.error += away, c.t = W(0);
-}
-
 /// The crossings of one line with a surface, in order. All that are listed exist in the precision of W.
 template <class W, std::size_t N>
 struct crossing_list {
@@ -54,13 +47,13 @@ struct crossing_list {
     /// May the line start on the surface?
     RAIO_FN constexpr bool touches_origin() const {
         for (const crossing<W>& c : *this) {
-            if (abs(bound_t<W>(c.t)) <= c.error) return true;
+            if (raio::touches_origin(c)) return true;
         }
         return false;
     }
     /// It does.
     RAIO_FN constexpr void start_at_origin() {
-        for (std::size_t i = 0; i < count; ++i) raio::start_at_origin(crossings[i]);
+        for (std::size_t i = 0; i < count; ++i) raio::start_at_origin(crossings[i], true);
     }
 };
 

@@ -35,6 +35,13 @@ struct revolved_quadric {
         W axis2 = dot(axis, axis), height = dot(p, axis);
         return axis2 * (v * dot(across, across) - axis2 * c0 - c1 * height) - c2 * height * height;
     }
+
+    /// A bound of the level's terms at a point no farther from B; it is off by 32 roundings of that at most.
+    RAIO_FN constexpr bound_t<W> terms_within(const bound_t<W>& far) const {
+        using E = bound_t<W>;
+        E area(dot(axis, axis)), size = norm1(vec3<E>(axis));
+        return area * ((E(v) * area + abs(E(c2))) * far * far + abs(E(c1)) * size * far + area * abs(E(c0)));
+    }
 };
 
 /// Where a line is inside a quadric.
@@ -130,19 +137,6 @@ RAIO_FN constexpr quadric_chord<W> cross_parabola(const parabola<W>& f, const bo
     return {{{exists, certain, near, error, !hollow}, {exists, certain, far_end, error, hollow}}, hollow};
 }
 
-/// \param starts  does a line that is within its error of the surface where it starts, start on it?
-template <class W>
-RAIO_FN constexpr void start_on_surface(quadric_chord<W>& c, auto starts) {
-    crossing<W>&near = c.ends.near, &far = c.ends.far;
-    const mask_t<W> near_0 = abs(bound_t<W>(near.t)) <= near.error, far_0 = abs(bound_t<W>(far.t)) <= far.error;
-    if (!any(some(near_0, far_0))) return;
-    const mask_t<W> on_it = every(some(near_0, far_0), starts());
-    near.t = select(every(near_0, on_it), W(0), near.t);
-    far.t = select(every(far_0, on_it), W(0), far.t);
-    near.error = select(on_it, near.error + near.error, near.error);
-    far.error = select(on_it, far.error + far.error, far.error);
-}
-
 /// Where a line is inside a quadric and a convex solid.
 template <class W, class Wanted>
 RAIO_FN constexpr chords_for_t<W, Wanted> intersect(const quadric_chord<W>& c, const chord<W>& convex,
@@ -226,7 +220,8 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     };
     quadric_chord<W> c{{from_origin(of_line.ends.near), from_origin(of_line.ends.far)}, of_line.hollow};
     // Whether the line starts on the surface, its coefficients from the origin on say without a division.
-    if constexpr (!only_sieves<W>) start_on_surface(c, [&] { return s.level(-to_center) == zero; });
+    const auto starts = [&] { return abs(E(s.level(-to_center))) <= E(32 * u) * s.terms_within(far); };
+    if constexpr (!only_sieves<W>) start_on_surface(c.ends, starts);
     return c;
 }
 
@@ -243,8 +238,7 @@ RAIO_FN constexpr crossing<W> correct_quadric(const revolved_quadric<X>& s, cons
     // All along the step the level's gradient is at most `steep`, and that of the slope `curved` |d|.
     E area(axis2), size = norm1(vec3<E>(p)), speed = norm1(vec3<E>(d)), far = size + speed * c.error;
     E curved = E(2) * area * (E(v) * area + abs(E(c2))), of_c1 = area * abs(E(c1)) * norm1(vec3<E>(axis));
-    E steep = curved * far + of_c1, terms = steep * size + area * area * abs(E(c0));
-    E value_error = steep * at.error + E(64 * unit_roundoff<X>) * terms;
+    E steep = curved * far + of_c1, value_error = steep * at.error + E(64 * unit_roundoff<X>) * s.terms_within(size);
     E slope_error = curved * speed * speed * c.error + E(64 * unit_roundoff<W>) * steep * speed;
     return newton_step(s.level(at.place), value_error, slope, slope_error);
 }

@@ -128,7 +128,10 @@ template <int Roundings, bool Spare, class W, class Power>
             far = select(leaves, at, far), far_error = select(leaves, at_error, far_error);
         }
     }
-    return {{exists, certain, near, near_error, exists}, {exists, certain, far, far_error, !exists}};
+    chord<W> line{{exists, certain, near, near_error, exists}, {exists, certain, far, far_error, !exists}};
+    const auto starts = [&] { return abs(E(power_of_l)) <= E(32 * u) * E(r2); };
+    if constexpr (last_precision<W>) start_on_surface(line, starts);
+    return line;
 }
 
 /// The chord of the ray's line through the sphere about `center`.

@@ -114,6 +114,22 @@ TEST_CASE_TEMPLATE("open_cone: named cases", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("open_cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<open_cone<T>>(); }
 
+TEST_CASE("open_cone: the apex, along the axis (seen with a normal along the ray)") {
+    const open_cone<double> funnel{{0, 0, 0}, {0, 0, -0x1.fdeb091195de3p+13}, 0x1.495594e960bc3p+12};
+    const ray<double> up{{0, 0, -0x1.9d3008aa37b67p+25}, {0, 0, 0x1.9d2974f9a9265p+9}};
+    hit_record<double> rec;
+    REQUIRE(funnel.hit(up, 0, infinity<double>, rec));
+    CHECK(rec.normal.z == doctest::Approx(-1));
+}
+
+TEST_CASE_TEMPLATE("open_cone: from a point of the surface, in any direction (half of them missed it)", T,
+                   RAIO_NUMBERS) {
+    check_starts_on_surface([](random_numbers& random) {
+        const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));
+        return std::pair(open_cone<T>{{0, 0, 0}, {0, 0, h}, r}, vec3<T>(r / 2, 0, h / 2));
+    });
+}
+
 TEST_CASE_TEMPLATE("open_cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_cone<T>>(test_rays, 1.0 / 200);
     check_bounds_of_errors<open_cone<T>>(test_rays / 10);

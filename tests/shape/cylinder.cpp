@@ -118,6 +118,15 @@ TEST_CASE("cylinder: its rim, from far away (beyond the bounds)") {
 
 TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, RAIO_NUMBERS) { check_properties<cylinder<T>>(); }
 
+TEST_CASE_TEMPLATE("cylinder: from a point of the surface, in any direction (half of them missed it)", T,
+                   RAIO_NUMBERS) {
+    check_starts_on_surface([](random_numbers& random) {
+        const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));
+        return std::pair(cylinder<T>{{0, 0, 0}, {0, 0, h}, r},
+                         vec3<T>(r, 0, h * static_cast<T>(random.uniform(0.1, 0.9))));
+    });
+}
+
 TEST_CASE_TEMPLATE("cylinder: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<cylinder<T>>();
     check_accuracy<cylinder<T>>(test_rays);
@@ -143,6 +152,10 @@ TEST_CASE_TEMPLATE("open_cylinder: named cases", T, RAIO_NUMBERS) {
         {"along an end", unit, {{-5, 1, 0}, {1, 0, 0}}, enters(4)},
         {"one number beyond the end", unit, {{-5, 1 + eps, 0}, {1, 0, 0}}, misses},
         {"touches a rim", unit, {{0, 2, 0}, {1, -1, 0}}, leaves(1)},
+        {"tangent at a rim, from far away (left without having been entered)",
+         {{0, 0, 0}, {-0x1.be90fp+16, 0, 0}, 0x1.74a868p+13},
+         {{0x1.2560f2p+30, 0x1.09b666p+31, 0x1.74a868p+13}, {-0x1.2560f2p+30, -0x1.09b666p+31, -0.0}},
+         enters(1)},
         {"tangent to the side", unit, {{1, 0, 5}, {0, 0, -1}}, enters(5)},
         {"above the top (|| for && in the height test)", unit, {{0, 2, 5}, {0, 0, -1}}, misses},
         {"radius zero", {{0, -1, 0}, {0, 1, 0}, 0}, ahead, misses},

@@ -49,6 +49,14 @@ TEST_CASE("ellipsoid: from its end outwards (the comparison said that it starts 
 
 TEST_CASE_TEMPLATE("ellipsoid: properties of every shape", T, RAIO_NUMBERS) { check_properties<ellipsoid<T>>(); }
 
+TEST_CASE_TEMPLATE("ellipsoid: from a point of the surface, in any direction (half of them missed it)", T,
+                   RAIO_NUMBERS) {
+    check_starts_on_surface([](random_numbers& random) {
+        const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));
+        return std::pair(ellipsoid<T>{{0, 0, 0}, {h, r, 3}}, vec3<T>(0, r, 0));
+    });
+}
+
 TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<ellipsoid<T>>();
     check_accuracy<ellipsoid<T>>(test_rays);

@@ -123,6 +123,13 @@ TEST_CASE("sphere: a point beyond the largest number is recorded as the nearest 
 
 TEST_CASE_TEMPLATE("sphere: properties of every shape", T, RAIO_NUMBERS) { check_properties<sphere<T>>(); }
 
+TEST_CASE("sphere: from a point of the surface, in any direction (one in 500 missed it)") {
+    check_starts_on_surface([](random_numbers& random) {
+        const double k = std::ldexp(std::floor(std::ldexp(random.uniform(1, 2), 49)), -49);
+        return std::pair(sphere<double>{{0, 0, 0}, 7 * k}, vec3<double>(2 * k, 3 * k, -6 * k));
+    });
+}
+
 TEST_CASE_TEMPLATE("sphere: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<sphere<T>>();
     check_accuracy<sphere<T>>(test_rays);

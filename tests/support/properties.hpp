@@ -267,6 +267,21 @@ std::string spawned_hit(const probe<Shape>& p, random_numbers& random) {
     return "";
 }
 
+/// Rays in any direction from a point that lies on the surface are hit there, however its numbers round.
+/// \param make  answers with a shape and the point
+template <class Make>
+void check_starts_on_surface(Make make) {
+    random_numbers random(17);
+    for (int i = 0; i < at_least(1'000); ++i) {
+        const auto [shape, point] = make(random);
+        using T = number_t<std::remove_cvref_t<decltype(shape)>>;
+        const ray<T> ray{point, vec3<T>(random.direction())};
+        hit_record<T> rec;
+        REQUIRE_MESSAGE(shape.hit(ray, T(0), infinity<T>, rec), literal(ray));
+        REQUIRE_MESSAGE(rec.t == T(0), literal(ray) << ", " << literal(rec));
+    }
+}
+
 /// Rays along the x axis meet a face at x = 0, from anywhere and however they are divided, just there.
 template <class Shape>
 void check_face_across_x(const Shape& shape) {

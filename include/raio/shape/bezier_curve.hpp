@@ -95,8 +95,8 @@ struct bezier_curve {
             // it, however little is known of where in there it is met.
             const W beyond = part.half * W(0x1p-20);
             if (max(both.near.t, -both.far.t) < beyond) {
-                start_at_origin(both.near);
-                start_at_origin(both.far);
+                start_at_origin(both.near, true);
+                start_at_origin(both.far, true);
             }
             list.append(both);
         }

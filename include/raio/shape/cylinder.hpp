@@ -61,6 +61,8 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
 
     vec3<W> m = cross(l, axis);
     W b = dot(m, n), beside2 = dot(m, m), inner2 = axis2 * r2, c = beside2 - inner2, under_root = axis2 * max(s2, zero);
+    // To the last precision, what it cannot tell from a tangent touches in one point: both ends are in or out.
+    if constexpr (last_precision<W>) under_root = select(s2 > s2_error, under_root, zero);
     W s = sqrt(under_root), over_a = quotient(W(1), a, zero);
     E c_error = E(0x1p8 * u) * (E(beside2) + E(dot(l, l)) * E(axis2)), m_size = norm1(vec3<E>(m));
     // What it strays on its way along the cylinder.
@@ -90,8 +92,11 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     const mask_t<W> certain = some(apart, crossed);
     error = select(parallel, E(0), with_underflow<W>(error));
     vec2<W> t = quadratic_roots(over_a, b, c, s);
-    return {{exists, certain, select(parallel, -infinity<W>, t.x), error, exists},
-            {exists, certain, select(parallel, infinity<W>, t.y), error, !exists}};
+    chord<W> line{{exists, certain, select(parallel, -infinity<W>, t.x), error, exists},
+                  {exists, certain, select(parallel, infinity<W>, t.y), error, !exists}};
+    const auto starts = [&] { return abs(E(c)) <= E(32 * u) * E(dot(l, l)) * E(axis2); };
+    if constexpr (last_precision<W>) start_on_surface(line, starts);
+    return line;
 }
 
 /// What is missing of a crossing: the side is that of revolution that keeps its distance from the axis.

@@ -102,7 +102,8 @@ RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, 
         const auto across = [&](const vec3<W>& v) { return v - axis * (dot(v, axis) / axis2); };
         vec3<W> beside = across(from_axis);
         off = select(doubtful, beside - axis * (widening * length(beside) / axis2), off);
-        const mask_t<W> on_axis = norm1(vec3<E>(beside)) <= norm1(vec3<E>(across(d))) * c.error;
+        const mask_t<W> on_axis =
+            norm1(vec3<E>(beside)) <= norm1(vec3<E>(across(d))) * c.error + E(8 * unit_roundoff<W>) * size;
         vec3<W> tip = normal_at_apex(axis * copysign(W(1), -widening), d, c.entering);
         return select(every(doubtful, on_axis), tip, off);
     };

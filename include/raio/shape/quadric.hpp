@@ -181,7 +181,8 @@ private:
                                with_underflow<W>(error * E(over_speed)), end.entering};
         };
         ends.ends = {at(ends.ends.near), at(ends.ends.far)};
-        if constexpr (!only_sieves<W>) start_on_surface(ends, [&] { return value(o) == zero; });
+        const auto starts = [&] { return abs(E(value(o))) <= E(32 * u) * terms_within<W>(norm1(vec3<E>(o))); };
+        if constexpr (!only_sieves<W>) start_on_surface(ends.ends, starts);
         return ends;
     }
 };
