@@ -43,7 +43,7 @@ TEST_CASE("revolved_crossing: what a line passes by, it passes by, and it tells 
     for (int i = 0; i < at_least(100'000); ++i) {
         const double size = random.log_uniform(1e-3, 1e3), far = size * random.log_uniform(0.1, 1e5);
         const vec3<double> base = random.direction() * (size * random.log_uniform(1e-2, 1e2));
-        const vec3<double> axis = random.direction() * random.log_uniform(1e-2, 1e2);
+        const vec3<double> axis = random.axis() * random.log_uniform(1e-2, 1e2);
         const double unit = size / length(axis);
         bounds whole{{0, -unit}, {size, unit}}, part = whole;
         part.low.x = random.one_in(2) ? 0 : size * random.uniform(), part.high.x = random.uniform(part.low.x, size);

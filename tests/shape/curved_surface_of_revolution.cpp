@@ -16,7 +16,7 @@ curved_surface_of_revolution<T> random_curved_surface(random_numbers& random) {
     const double size = random.log_uniform(1e-3, 1e3);
     curved_surface_of_revolution<T> s;
     s.base = vec3<T>(random.direction() * size * random.log_uniform(0.01, 100));
-    s.axis = vec3<T>(random.direction() * random.log_uniform(1e-2, 1e2));
+    s.axis = vec3<T>(random.axis() * random.log_uniform(1e-2, 1e2));
     const double unit = size / static_cast<double>(length(s.axis));
     for (int i = 3 * random.integer(1, 2); i >= 0; --i) {
         const bool end = s.profile.empty() || i == 0;

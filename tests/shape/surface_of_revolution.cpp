@@ -80,7 +80,7 @@ struct subject<lone_segment<T>> : revolved_subject<lone_segment<T>, segment_prof
         const double unit = random.log_uniform(1e-2, 1e2);
         const auto radius = [&] { return static_cast<T>(size * random.log_uniform(0.1, 1)); };
         const auto height = [&] { return static_cast<T>(size / unit * random.uniform(-2, 2)); };
-        lone_segment<T> s{vec3<T>(place), vec3<T>(random.direction() * unit), radius(), height(), radius(), height()};
+        lone_segment<T> s{vec3<T>(place), vec3<T>(random.axis() * unit), radius(), height(), radius(), height()};
         if (random.one_in(4)) s.to_height = s.from_height;
         if (random.one_in(8)) s.to_radius = s.from_radius;
         if (random.one_in(4)) (random.one_in(2) ? s.from_radius : s.to_radius) = T(0);
@@ -109,11 +109,14 @@ struct subject<lone_segment<T>> : revolved_subject<lone_segment<T>, segment_prof
         const auto [from, to] = segment_profile::ends(s);
         return from + (to - from) * h + random.perpendicular(to_double(s.axis)) * segment_profile::radius(s, h);
     }
+    static open_frustum<oracle> as_frustum(const lone_segment<oracle>& s) {
+        return {s.base + s.axis * s.from_height, s.base + s.axis * s.to_height, s.from_radius, s.to_radius};
+    }
+    static bool is_apex(const lone_segment<oracle>& s, const vec3<oracle>& p, const oracle& near) {
+        return s.from_height != s.to_height && frustum_subject<open_frustum<T>>::is_apex(as_frustum(s), p, near);
+    }
     static bool lies_in_side(const lone_segment<oracle>& s, const ray<oracle>& r) {
-        if (s.from_height == s.to_height) return false;
-        const open_frustum<oracle> side{s.base + s.axis * s.from_height, s.base + s.axis * s.to_height, s.from_radius,
-                                        s.to_radius};
-        return frustum_subject<open_frustum<T>>::lies_in_side(side, r);
+        return s.from_height != s.to_height && frustum_subject<open_frustum<T>>::lies_in_side(as_frustum(s), r);
     }
     static lone_segment<oracle> grown(lone_segment<oracle> s) {
         const oracle more(1e-50), height = s.to_height - s.from_height, widening = s.to_radius - s.from_radius;
@@ -156,7 +159,7 @@ surface_of_revolution<T> random_surface(random_numbers& random) {
     const double size = random.log_uniform(1e-3, 1e3);
     surface_of_revolution<T> s;
     s.base = vec3<T>(random.direction() * size * random.log_uniform(0.01, 100));
-    s.axis = vec3<T>(random.direction() * random.log_uniform(1e-2, 1e2));
+    s.axis = vec3<T>(random.axis() * random.log_uniform(1e-2, 1e2));
     const double unit = size / static_cast<double>(length(s.axis));
     for (int i = random.integer(2, 6); i > 0; --i) {
         vec2<T> next(static_cast<T>(random.one_in(4) ? 0 : size * random.uniform()),
@@ -230,6 +233,15 @@ TEST_CASE_TEMPLATE("surface of revolution: named cases", T, RAIO_NUMBERS) {
         CHECK(rec.index == r.segment);
         CHECK(rec.front_face == r.expected.front_face);
     }
+}
+
+TEST_CASE_TEMPLATE("surface of revolution: from a point of the surface, in any direction (half of them missed it)", T,
+                   RAIO_NUMBERS) {
+    check_starts_on_surface([](random_numbers& random) {
+        const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));
+        return std::pair(surface_of_revolution<T>{{0, 0, 0}, {0, 0, h}, {{r, 0}, {r, 2}}},
+                         vec3<T>(r, 0, h * static_cast<T>(random.uniform(0.1, 0.9))));
+    });
 }
 
 TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, RAIO_NUMBERS) {

@@ -14,7 +14,7 @@ struct subject<teardrop<T>> {
     static auto fields(auto& s) { return std::tie(s.bottom, s.tip, s.radius); }
 
     static teardrop<T> random(random_numbers& random, double size, const vec3<double>& place) {
-        return {vec3<T>(place), vec3<T>(place + random.direction() * size),
+        return {vec3<T>(place), vec3<T>(place + random.axis() * size),
                 static_cast<T>(size * random.log_uniform(0.01, 2))};
     }
     static double width(const teardrop<T>& s, double h) {

@@ -14,7 +14,7 @@ struct subject<torus<T>> {
     /// A tube down to a hundredth of the ring; one in four has no hole.
     static torus<T> random(random_numbers& random, double size, const vec3<double>& place) {
         const double thickness = random.one_in(4) ? random.uniform(1, 3) : random.log_uniform(0.01, 1);
-        return {vec3<T>(place), vec3<T>(random.direction() * random.log_uniform(0.1, 10)), static_cast<T>(size * 0.5),
+        return {vec3<T>(place), vec3<T>(random.axis() * random.log_uniform(0.1, 10)), static_cast<T>(size * 0.5),
                 static_cast<T>(size * 0.5 * thickness)};
     }
     static torus<T> lattice(random_numbers& random) {
@@ -188,6 +188,13 @@ TEST_CASE("torus: where it touches its bounds, from far away (beyond them)") {
 }
 
 TEST_CASE_TEMPLATE("torus: properties of every shape", T, RAIO_NUMBERS) { check_properties<torus<T>>(); }
+
+TEST_CASE_TEMPLATE("torus: from a point of the surface, in any direction (half of them missed it)", T, RAIO_NUMBERS) {
+    check_starts_on_surface([](random_numbers& random) {
+        const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));
+        return std::pair(torus<T>{{0, 0, 0}, {0, 0, h}, 3, r}, vec3<T>(0, 3, r));
+    });
+}
 
 TEST_CASE_TEMPLATE("torus: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<torus<T>>();

@@ -70,6 +70,13 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<R>& 
             if (exist(inwards) > exist(larger)) larger = inwards;
         }
         add_errors(larger, 1e-17);  // faces are off by 1e-21, and a ray may come to them at an angle of 1e-4
+        if constexpr (!solid<Shape> && requires(oracle near) { about::is_apex(exact_shape, exact_ray.origin, near); }) {
+            for (crossing<oracle>& c : larger) {  // an apex stays in the plane of its end, which 75 digits cannot say
+                const vec3<oracle> step = exact_ray.direction * c.t;
+                const oracle near = (norm1(exact_ray.origin) + norm1(step)) * 1e-40;
+                if (!c.certain && about::is_apex(exact_shape, exact_ray.origin + step, near)) c.exists = true;
+            }
+        }
         for (crossing<oracle>& c : larger) c.certain = false;  // of two faces at an edge it may have become the other's
         constexpr bool unites = requires { about::touching_parts_are_one; };
         if (larger.size() > crossings.size() || (unites && larger.size() < crossings.size())) return larger;
@@ -125,7 +132,7 @@ double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec,
             if (!c.exists) continue;
             const oracle apart = abs(c.t - crossing.t) * norm1(moved.direction), near = 8 * norm1(error);
             const oracle change = length(normal_at(moved, c) - normal) * (apart > near ? near / apart : oracle(1));
-            explained = std::max(explained, rounded<double>(change));
+            explained = std::max(explained, 2 * rounded<double>(change));  // others of its directions may turn more
         }
     }
     return std::max(off - explained, 0.0);
@@ -195,6 +202,18 @@ bool undecided(const probe<Shape>& p) {
     return false;
 }
 
+/// Are some of the ray's numbers less than a millionth of others, but not zero? Products of floats like that have more
+/// digits than two doubles.
+template <class T>
+bool is_uneven(const ray<T>& ray) {
+    const auto has_tiny = [](const vec3<T>& v) {
+        const T least = norm1(v) * T(0x1p-20);
+        return (v.x != 0 && std::abs(v.x) < least) || (v.y != 0 && std::abs(v.y) < least) ||
+               (v.z != 0 && std::abs(v.z) < least);
+    };
+    return has_tiny(ray.origin) || has_tiny(ray.direction);
+}
+
 /// The line has the same crossings the other way: the first one back is the last one before the ray begins, unless
 /// double_double cannot decide about that.
 template <class Shape>
@@ -246,19 +265,20 @@ void check_nothing_is_hit_beside(int rays) {
 /// A count that is expected, and three standard deviations of it: in a short run chance has its share.
 inline double with_chance(double expected) { return expected + 3 * std::sqrt(expected); }
 
-/// Sends rays in numbers. Floats are always right; of the doubles a few may go wrong, and only where double_double says
-/// that it cannot decide: mostly rays from a point of the surface, rounded to double, whose t is below 1e-16 of its
-/// size.
+/// Sends rays in numbers. A few may go wrong, and only where double_double says that it cannot decide: of doubles
+/// mostly rays from a point of the surface, rounded to double, whose t is below 1e-16 of its size; of floats only those
+/// whose numbers are uneven.
 template <class Shape>
 void check_accuracy(int rays, double excusable = 1e-3) {
     using T = number_t<Shape>;
+    if (std::same_as<T, float>) excusable = 1e-4;
     int hits = 0, vague = 0, excused = 0;
     double worst_ulp = 0;
     for_random_probes<Shape>("as exact arithmetic", rays, [&](const probe<Shape>& p, random_numbers&) -> std::string {
         hits += p.shape.occluded(p.ray, p.t_min, p.t_max);
         vague += is_vague(p);
         const std::string wrong = inexactness(p, worst_ulp) + unlike_the_other_way(p);
-        if (wrong.empty() || std::same_as<T, float> || !undecided(p)) return wrong;
+        if (wrong.empty() || !undecided(p) || (std::same_as<T, float> && !is_uneven(p.ray))) return wrong;
         ++excused;
         return "";
     });

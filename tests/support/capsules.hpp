@@ -11,7 +11,7 @@ struct subject<capsule<T>> {
     /// One in eight is a sphere.
     static capsule<T> random(random_numbers& random, double size, const vec3<double>& place) {
         const double height = random.one_in(8) ? 0 : size * random.log_uniform(0.1, 10);
-        return {vec3<T>(place), vec3<T>(place + random.direction() * height),
+        return {vec3<T>(place), vec3<T>(place + random.axis() * height),
                 static_cast<T>(size * random.log_uniform(0.1, 1))};
     }
     static vec3<double> inner_point(const capsule<T>& s, random_numbers& random) {

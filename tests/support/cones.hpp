@@ -19,12 +19,15 @@ struct cone_subject : revolved_subject<Cone, cone_profile> {
     static auto fields(auto& s) { return std::tie(s.base, s.apex, s.radius); }
 
     static Cone random(random_numbers& random, double size, const vec3<double>& place) {
-        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.01, 10));
+        const vec3<double> axis = random.axis() * (size * random.log_uniform(0.01, 10));
         return {vec3<T>(place), vec3<T>(place + axis), static_cast<T>(size * random.log_uniform(0.1, 1))};
     }
     static frustum<oracle> as_frustum(const auto& s) { return {s.base, s.apex, s.radius, 0}; }
     static auto distances(const auto& s, const vec3<oracle>& p) {
         return frustum_subject<frustum<T>>::distances(as_frustum(s), p);
+    }
+    static bool is_apex(const auto& s, const vec3<oracle>& p, const oracle& near) {
+        return frustum_subject<frustum<T>>::is_apex(as_frustum(s), p, near);
     }
     static bool lies_in_side(const auto& s, const ray<oracle>& r) {
         return frustum_subject<frustum<T>>::lies_in_side(as_frustum(s), r);

@@ -12,7 +12,7 @@ struct cylinder_subject {
     static auto fields(auto& s) { return std::tie(s.base, s.top, s.radius); }
 
     static Cylinder random(random_numbers& random, double size, const vec3<double>& place) {
-        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.01, 10));
+        const vec3<double> axis = random.axis() * (size * random.log_uniform(0.01, 10));
         return {vec3<T>(place), vec3<T>(place + axis), static_cast<T>(size * random.log_uniform(0.1, 1))};
     }
     /// A point at a height of 0 to 1 of the axis, so many radii from it.

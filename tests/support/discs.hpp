@@ -9,7 +9,7 @@ struct subject<disc<T>> {
     static auto fields(auto& s) { return std::tie(s.center, s.normal, s.radius); }
 
     static disc<T> random(random_numbers& random, double size, const vec3<double>& place) {
-        return {vec3<T>(place), vec3<T>(random.direction() * random.uniform(0.5, 2)), static_cast<T>(size)};
+        return {vec3<T>(place), vec3<T>(random.axis() * random.uniform(0.5, 2)), static_cast<T>(size)};
     }
     static vec3<double> at(const disc<T>& s, double rho, random_numbers& random) {
         return to_double(s.center) + random.perpendicular(to_double(s.normal)) * (rho * static_cast<double>(s.radius));

@@ -26,10 +26,12 @@ struct subject<ellipsoid<T>> {
     static vec3<double> inner_point(const ellipsoid<T>& s, random_numbers& random) {
         return to_double(s.center) + random.direction() * random.uniform(0, 0.99) * to_double(s.radii);
     }
-    /// On the silhouette, which is that of the sphere that it is mapped to.
+    /// Where it touches its bounds or elsewhere on it, or on the silhouette, which is that of the sphere that it is
+    /// mapped to.
     static vec3<double> special_point(const ellipsoid<T>& s, const vec3<double>& from, random_numbers& random) {
         const vec3<double> to_center = (to_double(s.center) - from) / to_double(s.radii);
         const double sine = 1 / length(to_center);
+        if (random.one_in(4)) return to_double(s.center) + random.axis() * to_double(s.radii);
         if (sine > 1) return to_double(s.center);
         const vec3<double> on_sphere =
             random.perpendicular(to_center) * std::sqrt(1 - sine * sine) - to_center * (sine * sine);

@@ -24,7 +24,7 @@ struct frustum_subject : revolved_subject<Frustum, frustum_profile> {
 
     /// One in four comes to a point, one in eight is a cylinder.
     static Frustum random(random_numbers& random, double size, const vec3<double>& place) {
-        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.01, 10));
+        const vec3<double> axis = random.axis() * (size * random.log_uniform(0.01, 10));
         Frustum s{vec3<T>(place), vec3<T>(place + axis), static_cast<T>(size * random.log_uniform(0.1, 1)),
                   static_cast<T>(size * random.log_uniform(0.1, 1))};
         if (random.one_in(8)) s.base_radius = s.top_radius;
@@ -57,6 +57,11 @@ struct frustum_subject : revolved_subject<Frustum, frustum_profile> {
         if (low > 0) s.base_radius += wider - widening * down;
         if (high > 0) s.top_radius += wider + widening * up;
         return s;
+    }
+    /// Does it come to a point, and is it that one?
+    static bool is_apex(const auto& s, const vec3<oracle>& p, const oracle& near) {
+        if (s.base_radius * s.top_radius != 0 || !(s.base_radius + s.top_radius > 0)) return false;
+        return norm1(p - (s.base_radius == 0 ? s.base : s.top)) <= near;
     }
     /// Does the line lie in the side? Three of its points do then.
     static bool lies_in_side(const auto& s, const ray<oracle>& r) {

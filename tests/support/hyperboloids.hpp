@@ -55,7 +55,7 @@ struct hyperboloid_subject : revolved_subject<Hyperboloid, hyperboloid_profile> 
 
     /// Of those of one sheet, one in eight bulges.
     static Hyperboloid random(random_numbers& random, double size, const vec3<double>& place) {
-        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.01, 10));
+        const vec3<double> axis = random.axis() * (size * random.log_uniform(0.01, 10));
         const double end = size * random.log_uniform(0.1, 1);
         double middle = random.log_uniform(0.03, 0.97);
         if constexpr (!requires(Hyperboloid s) { s.gap; }) middle = end * (random.one_in(8) ? 1 / middle : middle);

@@ -19,7 +19,7 @@ struct paraboloid_subject : revolved_subject<Paraboloid, paraboloid_profile> {
     static auto fields(auto& s) { return std::tie(s.vertex, s.top, s.radius); }
 
     static Paraboloid random(random_numbers& random, double size, const vec3<double>& place) {
-        const vec3<double> axis = random.direction() * (size * random.log_uniform(0.01, 10));
+        const vec3<double> axis = random.axis() * (size * random.log_uniform(0.01, 10));
         return {vec3<T>(place), vec3<T>(place + axis), static_cast<T>(size * random.log_uniform(0.1, 1))};
     }
     static Paraboloid lattice(random_numbers& random) {

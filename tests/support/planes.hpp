@@ -9,7 +9,7 @@ struct subject<plane<T>> {
     static auto fields(auto& s) { return std::tie(s.point, s.normal); }
 
     static plane<T> random(random_numbers& random, double size, const vec3<double>& place) {
-        return {vec3<T>(place), vec3<T>(random.direction() * size)};
+        return {vec3<T>(place), vec3<T>(random.axis() * size)};
     }
     static vec3<double> inner_point(const plane<T>& s, random_numbers& random) {
         const vec3<double> n = to_double(s.normal);

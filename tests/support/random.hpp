@@ -41,9 +41,18 @@ public:
         return {rho * std::cos(phi), rho * std::sin(phi), z};
     }
 
-    /// A unit vector perpendicular to `v`.
+    /// A unit vector: one in four along an axis of the coordinates, where bounds are tight, others as `direction`.
+    vec3<double> axis() {
+        if (!one_in(4)) return direction();
+        vec3<double> along(0);
+        along[integer(0, 2)] = one_in(2) ? 1 : -1;
+        return along;
+    }
+
+    /// A unit vector perpendicular to `v`; some are along an axis of the coordinates, if `v` is.
     vec3<double> perpendicular(const vec3<double>& v) {
-        const vec3<double> across = cross(v, direction());
+        vec3<double> across = cross(v, axis());
+        if (across == vec3<double>(0)) across = cross(v, direction());
         return across * (1 / length(across));
     }
 

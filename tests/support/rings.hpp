@@ -11,7 +11,7 @@ struct subject<ring<T>> {
     /// One in four is as thin as a wire, one in four has no hole.
     static ring<T> random(random_numbers& random, double size, const vec3<double>& place) {
         const double inner = random.one_in(4) ? 0.999 : random.one_in(3) ? 0 : random.uniform(0, 0.9);
-        return {vec3<T>(place), vec3<T>(random.direction() * random.uniform(0.5, 2)), static_cast<T>(size * inner),
+        return {vec3<T>(place), vec3<T>(random.axis() * random.uniform(0.5, 2)), static_cast<T>(size * inner),
                 static_cast<T>(size)};
     }
     static vec3<double> at(const ring<T>& s, double across, random_numbers& random) {

@@ -13,7 +13,7 @@ struct subject<round_cone<T>> {
         const double height = random.one_in(8) ? 0 : size * random.log_uniform(0.1, 10);
         const T base = static_cast<T>(size * random.log_uniform(0.1, 1)),
                 top = static_cast<T>(size * random.log_uniform(0.1, 1));
-        return {vec3<T>(place), vec3<T>(place + random.direction() * height), base, random.one_in(8) ? base : top};
+        return {vec3<T>(place), vec3<T>(place + random.axis() * height), base, random.one_in(8) ? base : top};
     }
     /// One of the spheres that were swept.
     static sphere<double> swept(const round_cone<T>& s, double which) {

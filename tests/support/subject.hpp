@@ -24,8 +24,10 @@ namespace raio::test {
 ///         // on a silhouette as seen from there, an edge, a vertex, a rim, an axis
 ///     static oracle distance(const Shape&, const vec3<oracle>&);
 ///         // to the surface, below 0 in a solid; for a shape in oracle numbers
-///     static Shape grown(Shape);                       // optional, as the next one: see accuracy.hpp
+///     static Shape grown(Shape);                       // optional, as the next ones: see accuracy.hpp
 ///     static constexpr bool touching_parts_are_one = true;
+///     static bool lies_in_side(Shape, ray<oracle>);
+///     static bool is_apex(Shape, vec3<oracle> point, oracle near);
 template <class Shape>
 struct subject;
 
