@@ -232,7 +232,7 @@ RAIO_FN constexpr crossing<W> correct_quadric(const revolved_quadric<X>& s, cons
                                               const crossing<W>& c) {
     using E = bound_t<X>;
     vec3<W> p(at.place), axis(s.axis);
-    W v(s.v), c0(s.c0), c1(s.c1), c2(s.c2), axis2 = dot(axis, axis), along = dot(d, axis), height = dot(p, axis);
+    W v(s.v), c1(s.c1), c2(s.c2), axis2 = dot(axis, axis), along = dot(d, axis), height = dot(p, axis);
     W slope = axis2 * (W(2) * v * dot(cross(p, axis), cross(d, axis)) - c1 * along) - W(2) * c2 * height * along;
 
     // All along the step the level's gradient is at most `steep`, and that of the slope `curved` |d|.
