@@ -47,6 +47,16 @@ TEST_CASE("ellipsoid: from its end outwards (the comparison said that it starts 
                                     leaves(0)}});
 }
 
+TEST_CASE("ellipsoid: where it touches its bounds, from far away (beyond them)") {
+    check_cases<ellipsoid<double>>({
+        {"30,000 sizes",
+         {{0, 0, 0}, {0x1.4aa9c8bf6f51ep-9, 0x1.863cecf94b4a3p-19, 0x1.884a1ff776727p-8}},
+         {{0x1.bc0458b8c9733p+4, 0x1.19697a0cfb2c9p+11, -0x1.39305c0e5b73bp+8},
+          {-0x1.bc0458b8c9733p+4, -0x1.19697a06e238ep+11, 0x1.39305c0e5b73bp+8}},
+         enters(1)},
+    });
+}
+
 TEST_CASE_TEMPLATE("ellipsoid: properties of every shape", T, RAIO_NUMBERS) { check_properties<ellipsoid<T>>(); }
 
 TEST_CASE_TEMPLATE("ellipsoid: from a point of the surface, in any direction (half of them missed it)", T,

@@ -138,15 +138,28 @@ double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec,
     return std::max(off - explained, 0.0);
 }
 
-/// What is wrong with the record of a hit, if it is of this crossing. The error of a double's t may be larger than half
-/// an ulp by as much as double_double says.
+/// Are some of the ray's numbers less than a millionth of others, but not zero? Products of floats like that have more
+/// digits than two doubles.
+template <class T>
+bool is_uneven(const ray<T>& ray) {
+    const auto has_tiny = [](const vec3<T>& v) {
+        const T least = norm1(v) * T(0x1p-20);
+        return (v.x != 0 && std::abs(v.x) < least) || (v.y != 0 && std::abs(v.y) < least) ||
+               (v.z != 0 && std::abs(v.z) < least);
+    };
+    return has_tiny(ray.origin) || has_tiny(ray.direction);
+}
+
+/// What is wrong with the record of a hit, if it is of this crossing. The error of t may be larger than half an ulp by
+/// as much as double_double says, but of floats only if they are uneven.
 template <class Shape>
 std::string difference(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec, const crossing<oracle>& crossing,
                        double& worst_ulp) {
     using T = number_t<Shape>;
     const oracle exact_t = crossing.t, error_of_t = abs(oracle(rec.t) - exact_t);
     const T best = rounded<T>(exact_t), ulp = std::nextafter(std::abs(best), infinity<T>) - std::abs(best);
-    const oracle stated = rec.t == best || std::same_as<T, float> ? oracle(0) : stated_error(p, rec.t);
+    const bool has_all_digits = rec.t == best || (std::same_as<T, float> && !is_uneven(p.ray));
+    const oracle stated = has_all_digits ? oracle(0) : stated_error(p, rec.t);
     const oracle allowed = stated + crossing.error;
     if (error_of_t > allowed + abs(oracle(best) - exact_t)) return "t = " + literal(rec.t) + " for " + literal(best);
     worst_ulp = std::max(worst_ulp, rounded<double>((error_of_t - allowed) / ulp));
@@ -200,18 +213,6 @@ bool undecided(const probe<Shape>& p) {
         if (!c.certain || on_an_end) return true;
     }
     return false;
-}
-
-/// Are some of the ray's numbers less than a millionth of others, but not zero? Products of floats like that have more
-/// digits than two doubles.
-template <class T>
-bool is_uneven(const ray<T>& ray) {
-    const auto has_tiny = [](const vec3<T>& v) {
-        const T least = norm1(v) * T(0x1p-20);
-        return (v.x != 0 && std::abs(v.x) < least) || (v.y != 0 && std::abs(v.y) < least) ||
-               (v.z != 0 && std::abs(v.z) < least);
-    };
-    return has_tiny(ray.origin) || has_tiny(ray.direction);
 }
 
 /// The line has the same crossings the other way: the first one back is the last one before the ray begins, unless

@@ -216,18 +216,21 @@ bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec)
     const oracle depth = 4 * oracle(norm1(rec.error)) + 8 * unit_roundoff<number_t<Shape>> * oracle(norm1(rec.point));
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     const auto distance = [&](const vec3<oracle>& p) { return oracle(about::distance(exact_shape, p)); };
-    // Of a thin rim, what is as deep may be outside half as far to a side.
-    const auto is_clear = [&](const vec3<oracle>& p, int side) {
-        bool clear = side * distance(p) > depth * 0.99;
+    // Of a thin rim, what is as deep may be outside half as far to a side, or what is a 16th as deep along the face.
+    const auto point = converted<oracle>(rec.point);
+    const auto is_clear = [&](const vec3<oracle>& way, int side) {
+        bool clear = side * distance(point + way) > depth * 0.99;
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             vec3<oracle> beside(0);
             beside[axis] = depth / 2;
-            clear = clear && side * distance(p + beside) > depth * 0.49 && side * distance(p - beside) > depth * 0.49;
+            const vec3<oracle> along = beside - inwards * dot(beside, inwards), shallow = way / oracle(16);
+            clear = clear && side * distance(point + way + beside) > depth * 0.49 &&
+                    side * distance(point + way - beside) > depth * 0.49 &&
+                    side * distance(point + shallow + along) > 0 && side * distance(point + shallow - along) > 0;
         }
         return clear;
     };
-    const auto point = converted<oracle>(rec.point);
-    return is_clear(point + inwards * depth, solid<Shape> ? -1 : 1) && is_clear(point - inwards * depth, 1);
+    return is_clear(inwards * depth, solid<Shape> ? -1 : 1) && is_clear(inwards * -depth, 1);
 }
 
 /// A ray that was spawned on the surface never hits it again where it left: outwards it misses a convex solid, inwards

@@ -67,6 +67,7 @@ struct ellipsoid {
         vec3<N> outward(normalize(vec3<Q>(on_sphere * stretch)));  // a fifth power, whose square may be out of range
         const T longest = max(radii.x, max(radii.y, radii.z)), shortest = min(radii.x, min(radii.y, radii.z));
         record_point(ray, c, rec, min(longest * (longest / shortest), T(std::numeric_limits<scalar_t<T>>::max() / 4)));
+        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
         rec.normal = outward * select(c.entering, N(1), N(-1));
         vec3<T> unit(normalize_from<T>(vec3<Q>(on_sphere)));
         rec.uv = {turns(-unit.z, unit.x), latitude(unit.y, sqrt(unit.x * unit.x + unit.z * unit.z))};
