@@ -49,9 +49,8 @@ RAIO_FN constexpr bool missed(const chord_pair<W>& c) {
     return missed(c.first) && missed(c.second);
 }
 
-/// \param starts  does a line that is within its error of the surface where it starts, start on it? It does if what
-/// would
-///                be zero then is no more than its own roundings.
+/// Does a line that is within its error of the surface where it starts, start on it?
+/// \param starts  says so: is what would be zero then no more than its own roundings?
 template <class W>
 RAIO_FN constexpr void start_on_surface(chord<W>& c, auto starts) {
     if (!any(some(touches_origin(c.near), touches_origin(c.far)))) return;
