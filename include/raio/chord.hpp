@@ -49,8 +49,8 @@ RAIO_FN constexpr bool missed(const chord_pair<W>& c) {
     return missed(c.first) && missed(c.second);
 }
 
-/// Does a line that is within its error of the surface where it starts, start on it?
-/// \param starts  says so: is what would be zero then no more than its own roundings?
+/// An end that cannot be told from t = 0 is there, if the line starts on the surface.
+/// \param starts  does it? Asked only then: is what would be zero no more than its own roundings?
 template <class W>
 RAIO_FN constexpr void start_on_surface(chord<W>& c, auto starts) {
     if (!any(some(touches_origin(c.near), touches_origin(c.far)))) return;

@@ -129,7 +129,8 @@ template <int Roundings, bool Spare, class W, class Power>
         }
     }
     chord<W> line{{exists, certain, near, near_error, exists}, {exists, certain, far, far_error, !exists}};
-    const auto starts = [&] { return abs(E(power_of_l)) <= E(32 * u) * E(r2); };
+    // About zero the two terms of the power are alike: see `power_of_point`.
+    const auto starts = [&] { return abs(E(power_of_l)) <= E(16 * Roundings * u) * E(r2); };
     if constexpr (last_precision<W>) start_on_surface(line, starts);
     return line;
 }

@@ -47,7 +47,8 @@ TEST_CASE_TEMPLATE("capsule: named cases", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("capsule: properties of every shape", T, RAIO_NUMBERS) { check_properties<capsule<T>>(); }
 
-TEST_CASE_TEMPLATE("capsule: from a point of the surface, in any direction (half of them missed it)", T, RAIO_NUMBERS) {
+TEST_CASE_TEMPLATE("capsule: from a point of the surface, in any direction (many doubles did not start there)", T,
+                   RAIO_NUMBERS) {
     check_starts_on_surface([](random_numbers& random) {
         const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));
         return std::pair(capsule<T>{{0, 0, 0}, {0, 0, h}, r},

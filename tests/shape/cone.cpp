@@ -122,7 +122,7 @@ TEST_CASE("open_cone: the apex, along the axis (seen with a normal along the ray
     CHECK(rec.normal.z == doctest::Approx(-1));
 }
 
-TEST_CASE_TEMPLATE("open_cone: from a point of the surface, in any direction (half of them missed it)", T,
+TEST_CASE_TEMPLATE("open_cone: from a point of the surface, in any direction (many doubles did not start there)", T,
                    RAIO_NUMBERS) {
     check_starts_on_surface([](random_numbers& random) {
         const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));

@@ -118,7 +118,7 @@ TEST_CASE("cylinder: its rim, from far away (beyond the bounds)") {
 
 TEST_CASE_TEMPLATE("cylinder: properties of every shape", T, RAIO_NUMBERS) { check_properties<cylinder<T>>(); }
 
-TEST_CASE_TEMPLATE("cylinder: from a point of the surface, in any direction (half of them missed it)", T,
+TEST_CASE_TEMPLATE("cylinder: from a point of the surface, in any direction (many doubles did not start there)", T,
                    RAIO_NUMBERS) {
     check_starts_on_surface([](random_numbers& random) {
         const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));

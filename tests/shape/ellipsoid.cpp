@@ -59,7 +59,7 @@ TEST_CASE("ellipsoid: where it touches its bounds, from far away (beyond them)")
 
 TEST_CASE_TEMPLATE("ellipsoid: properties of every shape", T, RAIO_NUMBERS) { check_properties<ellipsoid<T>>(); }
 
-TEST_CASE_TEMPLATE("ellipsoid: from a point of the surface, in any direction (half of them missed it)", T,
+TEST_CASE_TEMPLATE("ellipsoid: from a point of the surface, in any direction (many doubles did not start there)", T,
                    RAIO_NUMBERS) {
     check_starts_on_surface([](random_numbers& random) {
         const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));

@@ -102,8 +102,8 @@ TEST_CASE_TEMPLATE("open_paraboloid: properties of every shape", T, RAIO_NUMBERS
     check_properties<open_paraboloid<T>>();
 }
 
-TEST_CASE_TEMPLATE("open_paraboloid: from a point of the surface, in any direction (half of them missed it)", T,
-                   RAIO_NUMBERS) {
+TEST_CASE_TEMPLATE("open_paraboloid: from a point of the surface, in any direction (many doubles did not start there)",
+                   T, RAIO_NUMBERS) {
     check_starts_on_surface([](random_numbers& random) {
         const T r = static_cast<T>(random.uniform(1, 2)), h = static_cast<T>(random.uniform(1, 2));
         return std::pair(open_paraboloid<T>{{0, 0, 0}, {0, 0, h}, r}, vec3<T>(r / 2, 0, h / 4));

@@ -94,6 +94,7 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     vec2<W> t = quadratic_roots(over_a, b, c, s);
     chord<W> line{{exists, certain, select(parallel, -infinity<W>, t.x), error, exists},
                   {exists, certain, select(parallel, infinity<W>, t.y), error, !exists}};
+    // m is off by 5 u |l| |A|, and c by less than 32 u of the square of that product.
     const auto starts = [&] { return abs(E(c)) <= E(32 * u) * E(dot(l, l)) * E(axis2); };
     if constexpr (last_precision<W>) start_on_surface(line, starts);
     return line;

@@ -131,7 +131,7 @@ struct torus {
             append_if_it_counts(entering);
             if (twice) append_if_it_counts(!entering);
         }
-        if (list.touches_origin()) {
+        if (list.touches_origin()) {  // and starts on it, if f is no more than its roundings
             E terms(dot(l, l) + W(major_radius) * W(major_radius) + W(minor_radius) * W(minor_radius));
             if (abs(E(level(l))) <= E(32 * u) * E(a2) * terms * terms) list.start_at_origin();
         }
