@@ -311,8 +311,7 @@ inline oracle away(const std::vector<crossing<oracle>>& exact, const oracle& t) 
 /// In the precision of W: there are as many crossings as are certain, and no more than may be; and the t of those that
 /// are certain is off by no more than the error that it states.
 template <class W, class Shape, class R>
-std::string wrong_bound(const Shape& shape, const ray<R>& ray) {
-    const std::vector exact = exact_crossings(shape, ray);
+std::string wrong_bound(const Shape& shape, const ray<R>& ray, const std::vector<crossing<oracle>>& exact) {
     const std::vector found = all_crossings<W>(shape, ray);
     if (found.size() != exact.size() && !std::ranges::all_of(found, &crossing<W>::certain)) return "";
     const auto there = std::ranges::count_if(exact, &crossing<oracle>::exists);
@@ -334,8 +333,8 @@ std::string wrong_bound(const Shape& shape, const ray<R>& ray) {
 /// Wherever a crossing is certain in the precision of W, the refined one is off by no more than the error that it
 /// states.
 template <class W, class Shape, class R>
-std::string wrong_refinement(const Shape& shape, const ray<R>& ray, int& refinements, int& open) {
-    const std::vector exact = exact_crossings(shape, ray);
+std::string wrong_refinement(const Shape& shape, const ray<R>& ray, const std::vector<crossing<oracle>>& exact,
+                             int& refinements, int& open) {
     const std::vector found = all_crossings<W>(shape, ray);
     for (const crossing<W>& c : found) {
         if (!c.certain || !c.exists || found.size() != exact.size()) continue;
@@ -353,28 +352,29 @@ std::string wrong_refinement(const Shape& shape, const ray<R>& ray, int& refinem
 /// \param may_stay_open  part of the refined crossings: most are of rays from the surface itself, whose t is all but 0
 template <class Shape>
 void check_bounds_of_errors(int rays, double may_stay_open = 0.3) {
-    const auto check_bounds = [&](const std::string& in, auto wrong) {
-        for_random_probes<Shape>("bound in " + in, rays,
-                                 [&](const auto& p, auto& random) { return wrong(p.shape, p.ray, random); });
-    };
-    check_bounds("strict_double",
-                 [](const Shape& shape, const auto& ray, auto&) { return wrong_bound<strict_double>(shape, ray); });
-    check_bounds("double_double",
-                 [](const Shape& shape, const auto& ray, auto&) { return wrong_bound<double_double>(shape, ray); });
-    check_bounds("rounded_double", [](const Shape& shape, const auto& ray, auto& random) {
-        return wrong_bound<rounded_double>(shape, with_more_digits(ray, random));
+    constexpr bool refines = detail::correctable<Shape, double_double, strict_double>;
+    int refinements = 0, open = 0;
+    for_random_probes<Shape>("bounds of errors", rays, [&](const probe<Shape>& p, random_numbers& random) {
+        const ray<double_double> fine_ray = with_more_digits(p.ray, random);
+        const std::vector exact = exact_crossings(p.shape, p.ray), exact_of_fine = exact_crossings(p.shape, fine_ray);
+        std::string wrong;
+        const auto complain = [&](const std::string& in, const std::string& about) {
+            if (!about.empty()) wrong += (wrong.empty() ? "" : "; ") + in + ": " + about;
+        };
+        complain("strict_double", wrong_bound<strict_double>(p.shape, p.ray, exact));
+        complain("double_double", wrong_bound<double_double>(p.shape, p.ray, exact));
+        complain("rounded_double", wrong_bound<rounded_double>(p.shape, fine_ray, exact_of_fine));
+        if constexpr (refines) {
+            complain("what is refined of strict_double",
+                     wrong_refinement<strict_double>(p.shape, p.ray, exact, refinements, open));
+            complain("what is refined of rounded_double",
+                     wrong_refinement<rounded_double>(p.shape, fine_ray, exact_of_fine, refinements, open));
+        }
+        return wrong;
     });
-    if constexpr (detail::correctable<Shape, double_double, strict_double>) {
-        int refinements = 0, open = 0;
-        check_bounds("what is refined", [&](const Shape& shape, const auto& ray, auto&) {
-            return wrong_refinement<strict_double>(shape, ray, refinements, open);
-        });
-        check_bounds("what is refined of rounded_double", [&](const Shape& shape, const auto& ray, auto& random) {
-            return wrong_refinement<rounded_double>(shape, with_more_digits(ray, random), refinements, open);
-        });
-        MESSAGE(refinements << " crossings refined, left open to the last bit of a double: " << open);
-        CHECK(open < with_chance(refinements * may_stay_open));
-    }
+    if (!refines) return;
+    MESSAGE(refinements << " crossings refined, left open to the last bit of a double: " << open);
+    CHECK(open < with_chance(refinements * may_stay_open));
 }
 
 /// Is the recorded normal across the surface? A step along it leads away from there; one across it hardly does, if it
