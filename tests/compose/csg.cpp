@@ -75,6 +75,7 @@ TEST_CASE_TEMPLATE("csg: named cases", T, RAIO_NUMBERS) {
                intersection_of(sphere<T>{{-1, 0, 0}, 1}, sphere<T>{{1, 0, 0}, 1}), along, {true, 9, true, 1, -1});
     check_case("of touching solids neither takes from the other", difference_of(ball, bite), along,
                {true, 8, true, 0, -1});
+    check_case("of touching solids the left is left", difference_of(bite, ball), along, {true, 10, true, 0, -1});
     check_case("faces in one plane: the left is recorded", union_of(cube, box<T>{{-2, -1, -1}, {0, 1, 1}}), along,
                {true, 7, true, 0, -1});
     const box<T> beam{{-2, -1, -1}, {2, 1, 1}};
@@ -87,6 +88,11 @@ TEST_CASE_TEMPLATE("csg: named cases", T, RAIO_NUMBERS) {
     check_case("cut along a face: nothing thin is left", difference_of(box<T>{{0, -1, -1}, {2, 1, 1}}, cube), along,
                {false});
     check_case("tangent to the left", union_of(ball, bite), {{0, 1, 5}, {0, 0, -1}}, {true, 5, true, 0, 0});
+    check_case("tangent to the left, from which something is taken elsewhere",
+               difference_of(sphere<T>{{0, 0, 0}, 1}, sphere<T>{{5, 0, 0}, 1}), {{0, 1, 5}, {0, 0, -1}},
+               {true, 5, true, 0, 0});
+    check_case("tangent to the left, where it is taken away", difference_of(ball, bite), {{1, 0, 5}, {0, 0, -1}},
+               {false});
     check_case("direction zero", bitten, {{0, 0, 0}, {0, 0, 0}}, {false});
     check_case("window that is not a number", bitten, along, {false}, std::numeric_limits<T>::quiet_NaN());
     check_case("a leaf that is not there", union_of(ball, sphere<T>{{0, 0, 0}, 0}), along, {true, 8, true, 0, -1});
@@ -237,6 +243,14 @@ TEST_CASE_TEMPLATE("csg: the record is that of the leaf, but for side and index"
         REQUIRE(same_record(rec, own));
     }
     CHECK(flipped > 500);
+}
+
+TEST_CASE_TEMPLATE("csg: from a point of the surface, in any direction", T, RAIO_NUMBERS) {
+    check_starts_on_surface([](random_numbers& random) {
+        const auto bitten = difference_of(sphere<T>{{0, 0, 0}, 3}, box<T>{{0, 0, 0}, {4, 4, 4}});
+        const T y = T(random.integer(1, 15)) / 8, z = T(random.integer(1, 15)) / 8;
+        return std::pair(bitten, random.one_in(2) ? vec3<T>(0, y, z) : vec3<T>(-1, 2, -2));
+    });
 }
 
 TEST_CASE_TEMPLATE("csg: laws", T, RAIO_NUMBERS) {

@@ -84,6 +84,7 @@ std::ptrdiff_t other_answers(std::size_t rays, const char* name, Make make) {
         others += !same_answer(expected[i], answers[i]);
     }
     std::printf("%-27s %-6s %8td hits, %td other answers\n", name, sizeof(T) == 4 ? "float" : "double", hits, others);
+    std::fflush(stdout);  // some take seconds, and who stops it is told how far it came
     return others;
 }
 

@@ -103,6 +103,15 @@ TEST_CASE("unite, intersect, subtract: named cases") {
     CHECK(same(subtract(left, right), {{0, 1}}));
     CHECK(same(subtract(right, left), {{1, 2}}));
 
+    // A point is an interval as well: of a tangent. It is there if the others do not have it.
+    const spans<double, 1> point = listed<1>({{3, 3}}), end = listed<1>({{1, 1}});
+    CHECK(same(subtract(point, left), {{3, 3}}));
+    CHECK(same(subtract(left, point), {{0, 1}}));
+    CHECK(same(subtract(left, end), {{0, 1}}));
+    CHECK(subtract(end, left).empty());
+    CHECK(subtract(end, right).empty());
+    CHECK(subtract(end, end).empty());
+
     // All the room that the type has is used, and no more.
     const spans<double, 3> odd = listed<3>({{1, 2}, {3, 4}, {5, 6}}),
                            even = listed<3>({{2.25, 2.75}, {4.25, 4.75}, {6.25, 6.75}});
@@ -145,8 +154,8 @@ TEST_CASE("unite, intersect, subtract: as the same question asked of every point
             const bool in_a = a.contains(t), in_b = b.contains(t);
             REQUIRE(sum.contains(t) == (in_a || in_b));
             REQUIRE(common.contains(t) == (in_a && in_b));
-            // The ends are a matter of convention; between them there is no doubt.
-            if (t != std::floor(t)) REQUIRE(rest.contains(t) == (in_a && !in_b));
+            // The ends of what is taken are a matter of convention; between them, and elsewhere, there is no doubt.
+            if (!in_b || t != std::floor(t)) REQUIRE(rest.contains(t) == (in_a && !in_b));
             if (!in_a) REQUIRE(!rest.contains(t));
         }
     }

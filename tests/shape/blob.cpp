@@ -216,6 +216,15 @@ TEST_CASE_TEMPLATE("blob: uv and normal", T, RAIO_NUMBERS) {
     CHECK(rec.normal == vec3<T>(1, 0, 0));
 }
 
+TEST_CASE_TEMPLATE("blob: from a point of the surface, in any direction", T, RAIO_NUMBERS) {
+    check_starts_on_surface([](random_numbers& random) {
+        const T y = random.one_in(2) ? 1 : -1, z = random.one_in(2) ? 1 : -1, x = T(random.integer(0, 24)) / 8;
+        const metaball<T> bar{{0, 0, 0}, 2, 1, {3, 0, 0}}, left{{-1, 0, 0}, 2}, right{{1, 0, 0}, 2};
+        if (random.one_in(2)) return std::pair(blob<T>{{bar}, T(0.25)}, vec3<T>(x, y, z));
+        return std::pair(blob<T>{{left, right}, T(0.5)}, random.one_in(2) ? vec3<T>(0, y, 0) : vec3<T>(0, 0, z));
+    });
+}
+
 TEST_CASE_TEMPLATE("blob: packs, lane by lane", T, RAIO_NUMBERS) { check_lanes_are_plain<blob<T>>(400); }
 
 }  // namespace raio::test

@@ -165,6 +165,18 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
     CHECK(rec.index == 5);
 }
 
+TEST_CASE_TEMPLATE("heightfield: from a point of it, in any direction", T, RAIO_NUMBERS) {
+    check_starts_on_surface([](random_numbers& random) {
+        heightfield<T> field{{0, 0}, {1, 1}, 2, {}};
+        for (int i = 0; i < 4; ++i) field.heights.push_back(T(random.integer(-8, 8)));
+        const T x = T(random.integer(0, 8)) / 8, y = T(random.integer(0, 8)) / 8;
+        const T corner = field.heights[x > y ? 1 : 2];
+        const T z =
+            field.heights[0] + (corner - field.heights[0]) * max(x, y) + (field.heights[3] - corner) * min(x, y);
+        return std::pair(field, vec3<T>(x, y, z));
+    });
+}
+
 TEST_CASE_TEMPLATE("heightfield: what is spawned on it does not meet it where it left", T, RAIO_NUMBERS) {
     random_numbers random(6);
     int again = 0;

@@ -11,7 +11,9 @@
 /// asked for its point, normal and uv at just this t.
 ///
 /// Spans are closed: solids that touch have the points in common that they touch in. What is subtracted takes its
-/// surface along: the inside of the hole is front, as seen from the hole.
+/// surface along: the inside of the hole is front, as seen from the hole. A line that is inside before a point and
+/// behind it crosses nothing there: one that only touches a hole, or goes from one solid into another where their
+/// surfaces meet.
 ///
 /// `hit_record::index` counts the leaves of the tree from left to right. Of two leaves that cross at the same t the
 /// left one is recorded.

@@ -121,19 +121,20 @@ RAIO_FN constexpr spans<T, room<N, M>> intersect(const spans<T, N>& a, const spa
 }
 
 /// Inside `a` and not in the interior of `b`: what is left keeps the ends where `b` was cut off. An interval that is
-/// cut down to a single point is gone.
+/// cut down to a single point is gone, and so is one that was a point, if `b` has it. Of equal ends that of `a` stays.
 template <class T, std::size_t N, std::size_t M>
 RAIO_FN constexpr spans<T, room<N, M>> subtract(const spans<T, N>& a, const spans<T, M>& b) {
     spans<T, room<N, M>> rest;
     std::size_t j = 0;
     for (interval<T> left : a) {
-        for (; j < b.count && b.intervals[j].max <= left.min; ++j) {
+        for (; j < b.count && b.intervals[j].max < left.min; ++j) {
         }
-        for (std::size_t k = j; k < b.count && left.max > b.intervals[k].min; ++k) {
-            if (left.min < b.intervals[k].min) rest.append({left.min, b.intervals[k].min});
-            left.min = b.intervals[k].max;
+        std::size_t k = j;
+        for (; k < b.count && b.intervals[k].min <= left.max; ++k) {
+            if (left.min < b.intervals[k].min) rest.append({left.min, min(left.max, b.intervals[k].min)});
+            left.min = max(left.min, b.intervals[k].max);
         }
-        if (left.min < left.max) rest.append(left);
+        if (k == j || left.min < left.max) rest.append(left);
     }
     return rest;
 }
