@@ -62,37 +62,36 @@ struct subject<bezier_curve<T>> {
         return center - to_center * (sine * sine) +
                random.perpendicular(to_center) * (radius * std::sqrt(1 - sine * sine));
     }
-    /// From the nearest of the spheres: about the best of many, thirds are taken away, and then the tips of parabolas
-    /// through three neighbours double the digits.
+    /// From the nearest of the spheres: about the best of many, thirds are taken away, as far as doubles can tell, and
+    /// then the tips of parabolas through three neighbours double the digits.
     static oracle distance(const bezier_curve<oracle>& s, const vec3<oracle>& p) {
         const auto beyond = [&]<class U>(const bezier_curve<U>& curve, const vec3<U>& q, const U& u) {
             const auto [center, radius] = subject<bezier_curve<U>>::swept(curve, u);
             return U(length(vec3<U>(q - center)) - radius);
         };
         const auto exactly_beyond = [&](const oracle& u) { return beyond(s, p, u); };
+        const bezier_curve<double> rough{vec3<double>(s.p0 - p), vec3<double>(s.p1 - p), vec3<double>(s.p2 - p),
+                                         vec3<double>(s.p3 - p), rounded<double>(s.r0),  rounded<double>(s.r1),
+                                         rounded<double>(s.r2),  rounded<double>(s.r3)};
+        const auto roughly_beyond = [&](double u) { return beyond(rough, vec3<double>(0), u); };
         constexpr int count = 256;
-        const bezier_curve<double> rough{vec3<double>(s.p0),    vec3<double>(s.p1),    vec3<double>(s.p2),
-                                         vec3<double>(s.p3),    rounded<double>(s.r0), rounded<double>(s.r1),
-                                         rounded<double>(s.r2), rounded<double>(s.r3)};
         std::vector<double> sampled;
-        for (int i = 0; i <= count; ++i) {
-            sampled.push_back(beyond(rough, vec3<double>(p), double(i) / count));
-        }
+        for (int i = 0; i <= count; ++i) sampled.push_back(roughly_beyond(double(i) / count));
         const auto sample = [&](int i) { return sampled[static_cast<std::size_t>(std::clamp(i, 0, count))]; };
         oracle least = min(exactly_beyond(0), exactly_beyond(1));
         for (int i = 0; i <= count; ++i) {
             if (sample(i) > sample(i - 1) || sample(i) > sample(i + 1)) continue;
-            oracle low = max(oracle(0), oracle(i - 1) / count), high = min(oracle(1), oracle(i + 1) / count);
-            for (int step = 0; step < 30; ++step) {
-                const oracle a = low + (high - low) / 3, b = high - (high - low) / 3;
-                if (exactly_beyond(a) < exactly_beyond(b)) {
+            double low = std::max(i - 1, 0) / double(count), high = std::min(i + 1, count) / double(count);
+            for (int step = 0; step < 24; ++step) {
+                const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+                if (roughly_beyond(a) < roughly_beyond(b)) {
                     high = b;
                 } else {
                     low = a;
                 }
             }
             oracle u = (low + high) / 2, h = (high - low) * 4;
-            for (int step = 0; step < 3; ++step, h *= oracle(1e-3)) {
+            for (int step = 0; step < 4; ++step, h *= oracle(1e-3)) {
                 const oracle here = exactly_beyond(u), before = exactly_beyond(u - h), after = exactly_beyond(u + h);
                 const oracle bend = before + after - here - here;
                 if (bend > 0) u = max(oracle(0), min(oracle(1), oracle(u - (after - before) / (2 * bend) * h)));
