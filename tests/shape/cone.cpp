@@ -122,6 +122,17 @@ TEST_CASE("open_cone: the apex, along the axis (seen with a normal along the ray
     CHECK(rec.normal.z == doctest::Approx(-1));
 }
 
+TEST_CASE("open_cone: all but along a generator to the apex, whose normal was along the ray") {
+    const open_cone<double> funnel{{0x1.00ea4dfdad41bp+6, 0x1.86b3b562b7704p+5, 0x1.2046d1b23b12fp+4},
+                                   {0x1.012df6c35554dp+6, 0x1.86afae84f0581p+5, 0x1.1fd33ed3b97dep+4},
+                                   0x1.48b9b8ec757fap-3};
+    const ray<double> down{{0x1.00ed36c65a743p+6, 0x1.858e03d7bb60dp+5, 0x1.203a6560f437bp+4},
+                           {0x1.9c843ed445496p-2, 0x1.cd5c52a75dfd5p-1, -0x1.4894f98d07fc8p-3}};
+    hit_record<double> rec;
+    REQUIRE(funnel.hit(down, 0, infinity<double>, rec));
+    CHECK(dot(rec.normal, down.direction) < 1e-15);
+}
+
 TEST_CASE_TEMPLATE("open_cone: from a point of the surface, in any direction (many doubles did not start there)", T,
                    RAIO_NUMBERS) {
     check_starts_on_surface([](random_numbers& random) {

@@ -73,14 +73,14 @@ RAIO_FN constexpr crossing<W> correct_frustum(const vec3<T>& base, const vec3<T>
     });
 }
 
-/// Against the ray at an apex, where a cone has no normal. Seen along the axis it looks like a plane; a ray that only
-/// touches it there comes from the side.
-/// \param tip  along the axis, out of the cone
+/// What of a way out of a cone is not along the ray. That is the normal at an apex, where a cone has none, and close to
+/// it, where an error turns it: seen along the axis it looks like a plane, and a ray that only touches it comes from
+/// the side.
 template <class W>
-RAIO_FN constexpr vec3<W> normal_at_apex(const vec3<W>& tip, const vec3<W>& d, const mask_t<W>& entering) {
+RAIO_FN constexpr vec3<W> turned_from(const vec3<W>& d, const mask_t<W>& entering, const vec3<W>& outward) {
     const W side = select(entering, W(1), W(-1));
-    W forward = max(W(0), dot(tip, d) * side) * side;
-    return tip - d * (forward / dot(d, d));
+    W forward = max(W(0), dot(outward, d) * side) * side;
+    return outward - d * (forward / dot(d, d));
 }
 
 /// What both frusta record.
@@ -100,12 +100,11 @@ RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, 
         // Close to an apex the height may be off by all that is left of the cone. The way from the axis is not, where
         // the ray runs along it, and says the radius as well.
         const auto across = [&](const vec3<W>& v) { return v - axis * (dot(v, axis) / axis2); };
-        vec3<W> beside = across(from_axis);
-        off = select(doubtful, beside - axis * (widening * length(beside) / axis2), off);
+        vec3<W> beside = across(from_axis), tip = axis * copysign(W(1), -widening);
         const mask_t<W> on_axis =
             norm1(vec3<E>(beside)) <= norm1(vec3<E>(across(d))) * c.error + E(8 * unit_roundoff<W>) * size;
-        vec3<W> tip = normal_at_apex(axis * copysign(W(1), -widening), d, c.entering);
-        return select(every(doubtful, on_axis), tip, off);
+        vec3<W> outward = select(on_axis, tip, beside + tip * (abs(widening) * length(beside) / axis2));
+        return select(doubtful, turned_from(d, c.entering, outward), off);
     };
     const T bend = max(radii.x, radii.y) + norm1(vec3<T>(axis));
     axial_surface(base, top, radii, bend, ray, c, rec, gradient);
