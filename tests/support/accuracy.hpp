@@ -273,10 +273,11 @@ inline double with_chance(double expected) { return expected + 3 * std::sqrt(exp
 /// Sends rays in numbers. A few may go wrong, and only where double_double says that it cannot decide: of doubles
 /// mostly rays from a point of the surface, rounded to double, whose t is below 1e-16 of its size; of floats only those
 /// that ask for more digits.
+/// \param excusable_doubles  part of the rays
 template <class Shape>
-void check_accuracy(int rays, double excusable = 1e-3) {
+void check_accuracy(int rays, double excusable_doubles = 1e-3) {
     using T = number_t<Shape>;
-    if (std::same_as<T, float>) excusable = 1e-4;
+    const double excusable = std::same_as<T, float> ? 1e-4 : excusable_doubles;
     int hits = 0, vague = 0, excused = 0;
     double worst_ulp = 0;
     for_random_probes<Shape>("as exact arithmetic", rays, [&](const probe<Shape>& p, random_numbers&) -> std::string {
