@@ -81,7 +81,7 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<R>& 
         constexpr bool unites = requires { about::touching_parts_are_one; };
         if (larger.size() > crossings.size() || (unites && larger.size() < crossings.size())) return larger;
         for (std::size_t i = 0; i < larger.size(); ++i) {
-            if (!crossings[i].exists) crossings[i] = larger[i];
+            if (!crossings[i].exists && !crossings[i].certain) crossings[i] = larger[i];
         }
     }
     return crossings;
