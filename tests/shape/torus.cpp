@@ -189,6 +189,16 @@ TEST_CASE("torus: where it touches its bounds, from far away (beyond them)") {
 
 TEST_CASE_TEMPLATE("torus: properties of every shape", T, RAIO_NUMBERS) { check_properties<torus<T>>(); }
 
+TEST_CASE("torus: a line that all but touches it thrice (in [t, t] it was missed)") {
+    const torus<double> ring{{0, 0, 0},
+                             {-0x1.9b9c8856e99f3p+1, -0x1.0a95624de44fp+2, -0x1.233e3e983c501p+1},
+                             0x1.3488e8cc8d3ebp-8,
+                             0x1.72357ae010213p-12};
+    const ray<double> inside{{-0x1.64e90b2a4846dp-9, -0x1.de97d91b7114cp-12, 0x1.f1a9ff4e7d4adp-9},
+                             {0x1.28f98cb970f92p-1, 0x1.8e393ca7af816p-4, -0x1.9e17885e3807dp-1}};
+    CHECK(open_window<torus<double>>({ring, inside}) == "");
+}
+
 TEST_CASE_TEMPLATE("torus: from a point of the surface, in any direction (many doubles did not start there)", T,
                    RAIO_NUMBERS) {
     check_starts_on_surface([](random_numbers& random) {

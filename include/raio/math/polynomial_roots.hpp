@@ -19,7 +19,8 @@ struct polynomial_roots {
     RAIO_FN constexpr const polynomial_root<W>* end() const { return places.data() + count; }
 };
 
-/// Which roots are wanted. All of them, unless it is said that only the first beyond some place is.
+/// Which roots are wanted. All of them, unless it is said that only the first beyond some place is. (The last precision
+/// finds all the same: it goes one way to each, for what it cannot tell must not depend on what is wanted.)
 template <real W>
 struct wanted_roots {
     using E = bound_t<W>;
@@ -57,8 +58,9 @@ template <real W, std::size_t N>
     const auto is_there = [&](const detail::enclosure<W>& about) {
         return E(about.low) > wanted.from && E(about.high) < wanted.to;
     };
-    const auto is_enough = [&](const polynomial_root<W>& root) { return E(root.t) - root.error > wanted.from; };
-    // (The last precision goes one way to every root, whichever is wanted: what it cannot tell has to be the same.)
+    const auto is_enough = [&](const polynomial_root<W>& root) {
+        return !last_precision<W> && E(root.t) - root.error > wanted.from;
+    };
     if constexpr (N == 4 && !last_precision<W>) {
         const first_root<W> first =
             is_finite(wanted.from) ? depressed_quartic<W>(p).between(low, high) : first_root<W>{};
