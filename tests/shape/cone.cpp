@@ -4,6 +4,7 @@
 #include "support/cones.hpp"
 #include "support/dual.hpp"
 #include "support/sampling.hpp"
+#include "support/touching.hpp"
 
 namespace raio::test {
 
@@ -113,6 +114,18 @@ TEST_CASE_TEMPLATE("open_cone: named cases", T, RAIO_NUMBERS) {
 }
 
 TEST_CASE_TEMPLATE("open_cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<open_cone<T>>(); }
+
+TEST_CASE_TEMPLATE("open_cone: all but along a generator (of few doubles the normal was along the ray)", T,
+                   RAIO_NUMBERS) {
+    check_along_surface(test_rays / 5, [](random_numbers& random) {
+        const open_cone<T> hat =
+            subject<open_cone<T>>::random(random, 1, random.direction() * random.log_uniform(1, 1e3));
+        const vec3<double> apex = to_double(hat.apex), axis = apex - to_double(hat.base);
+        const vec3<double> generator = axis - random.perpendicular(axis) * static_cast<double>(hat.radius);
+        return touching_line<open_cone<T>>{hat, random.one_in(2) ? apex : apex - generator * random.uniform(),
+                                           generator};
+    });
+}
 
 TEST_CASE("open_cone: the apex, along the axis (seen with a normal along the ray)") {
     const open_cone<double> funnel{{0, 0, 0}, {0, 0, -0x1.fdeb091195de3p+13}, 0x1.495594e960bc3p+12};

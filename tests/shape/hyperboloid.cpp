@@ -3,6 +3,7 @@
 #include "support/cases.hpp"
 #include "support/hyperboloids.hpp"
 #include "support/packs.hpp"
+#include "support/touching.hpp"
 
 namespace raio::test {
 
@@ -115,6 +116,18 @@ TEST_CASE_TEMPLATE("open_hyperboloid: below its base, and all but parallel to th
 
 TEST_CASE_TEMPLATE("open_hyperboloid: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<open_hyperboloid<T>>();
+}
+
+TEST_CASE_TEMPLATE("open_hyperboloid: all but along a ruling", T, RAIO_NUMBERS) {
+    check_along_surface(test_rays / 5, [](random_numbers& random) {
+        const open_hyperboloid<T> tower = subject<open_hyperboloid<T>>::random(random, 1, random.direction());
+        const vec3<double> base = to_double(tower.base), up = (to_double(tower.top) - base) * 0.5;
+        const double waist = static_cast<double>(tower.waist_radius), end = static_cast<double>(tower.end_radius);
+        const vec3<double> x = random.perpendicular(up), y = cross(up, x) * (1 / length(up));
+        const vec3<double> ruling = up + y * std::sqrt(std::max(0.0, end * end - waist * waist));
+        return touching_line<open_hyperboloid<T>>{tower, base + up + x * waist + ruling * random.uniform(-1, 1),
+                                                  ruling};
+    });
 }
 
 TEST_CASE_TEMPLATE("open_hyperboloid: from a point of the surface, in any direction (many doubles did not start there)",

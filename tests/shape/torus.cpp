@@ -4,6 +4,7 @@
 #include "support/dual.hpp"
 #include "support/packs.hpp"
 #include "support/sampling.hpp"
+#include "support/touching.hpp"
 
 namespace raio::test {
 
@@ -188,6 +189,26 @@ TEST_CASE("torus: where it touches its bounds, from far away (beyond them)") {
 }
 
 TEST_CASE_TEMPLATE("torus: properties of every shape", T, RAIO_NUMBERS) { check_properties<torus<T>>(); }
+
+TEST_CASE_TEMPLATE("torus: lines that all but touch it thrice, four times, or in two places", T, RAIO_NUMBERS) {
+    check_along_surface(test_rays / 5, [](random_numbers& random) {
+        const torus<T> ring = subject<torus<T>>::random(random, 1, random.direction());
+        const vec3<double> center = to_double(ring.center), up = normalize(to_double(ring.axis));
+        const vec3<double> out = random.perpendicular(up), along = cross(up, out);
+        const double major = static_cast<double>(ring.major_radius), minor = static_cast<double>(ring.minor_radius);
+        if (minor < major && random.one_in(4)) {  // in the plane that touches it twice, through the centre
+            const double sine = minor / major, cosine = std::sqrt(1 - sine * sine);
+            const vec3<double> direction = out * cosine + up * sine;
+            return touching_line<torus<T>>{ring, center + direction * (major * cosine), direction};
+        }
+        // Where the tube bends both ways, the line along which it does not; on the top circle that is its tangent.
+        const double psi = random.one_in(4) ? pi<double> / 2 : random.uniform(0.5, 1.5) * pi<double>;
+        const double rho = major + minor * std::cos(psi);
+        const double turn = std::sqrt(std::max(0.0, -rho * std::cos(psi) / minor));
+        return touching_line<torus<T>>{ring, center + out * rho + up * (minor * std::sin(psi)),
+                                       along * rho + (up * std::cos(psi) - out * std::sin(psi)) * (minor * turn)};
+    });
+}
 
 TEST_CASE("torus: a line that all but touches it thrice (in [t, t] it was missed)") {
     const torus<double> ring{{0, 0, 0},
