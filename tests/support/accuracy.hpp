@@ -219,6 +219,12 @@ bool undecided(const probe<Shape>& p) {
     return false;
 }
 
+/// May the answer be another one? Only if double_double cannot decide, and of floats only if these ask for more digits.
+template <class Shape>
+bool is_excused(const probe<Shape>& p) {
+    return undecided(p) && (!std::same_as<number_t<Shape>, float> || asks_for_more_digits(p));
+}
+
 /// The line has the same crossings the other way: the first one back is the last one before the ray begins, unless
 /// double_double cannot decide about that.
 template <class Shape>
@@ -270,10 +276,8 @@ void check_nothing_is_hit_beside(int rays) {
 /// A count that is expected, and three standard deviations of it: in a short run chance has its share.
 inline double with_chance(double expected) { return expected + 3 * std::sqrt(expected); }
 
-/// Sends rays in numbers. A few may go wrong, and only where double_double says that it cannot decide: of doubles
-/// mostly rays from a point of the surface, rounded to double, whose t is below 1e-16 of its size; of floats only those
-/// that ask for more digits.
-/// \param excusable_doubles  part of the rays
+/// Sends rays in numbers. A few are excused: of doubles mostly rays from a point of the surface, rounded to double,
+/// whose t is below 1e-16 of its size. \param excusable_doubles  part of the rays
 template <class Shape>
 void check_accuracy(int rays, double excusable_doubles = 1e-3) {
     using T = number_t<Shape>;
@@ -284,7 +288,7 @@ void check_accuracy(int rays, double excusable_doubles = 1e-3) {
         hits += p.shape.occluded(p.ray, p.t_min, p.t_max);
         vague += is_vague(p);
         const std::string wrong = inexactness(p, worst_ulp) + unlike_the_other_way(p);
-        if (wrong.empty() || !undecided(p) || (std::same_as<T, float> && !asks_for_more_digits(p))) return wrong;
+        if (wrong.empty() || !is_excused(p)) return wrong;
         ++excused;
         return "";
     });
