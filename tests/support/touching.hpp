@@ -24,9 +24,7 @@ probe<Shape> ray_along(touching_line<Shape> line, random_numbers& random) {
     if (random.one_in(2)) line.direction = -line.direction;
     const double before = random.one_in(4) ? 0 : random.log_uniform(1e-3, 1e3);
     probe<Shape> p{line.shape, {vec3<T>(line.point - line.direction * before), vec3<T>(line.direction)}};
-    if (const vec3<T> to_point = vec3<T>(line.point) - p.ray.origin; before > 0 && random.one_in(3)) {
-        p.ray.direction = to_point;
-    }
+    if (before > 0 && random.one_in(3)) p.ray.direction = vec3<T>(line.point) - p.ray.origin;
     return p;
 }
 
