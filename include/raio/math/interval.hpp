@@ -127,8 +127,7 @@ RAIO_FN constexpr spans<T, room<N, M>> subtract(const spans<T, N>& a, const span
     spans<T, room<N, M>> rest;
     std::size_t j = 0;
     for (interval<T> left : a) {
-        for (; j < b.count && b.intervals[j].max < left.min; ++j) {
-        }
+        while (j < b.count && left.min > b.intervals[j].max) ++j;
         std::size_t k = j;
         for (; k < b.count && b.intervals[k].min <= left.max; ++k) {
             if (left.min < b.intervals[k].min) rest.append({left.min, min(left.max, b.intervals[k].min)});
