@@ -168,6 +168,21 @@ TEST_CASE_TEMPLATE("curved surface of revolution: across the axis, where roots a
     }
 }
 
+TEST_CASE("curved surface of revolution: the point in which it meets the axis lies within its bounds") {
+    random_numbers random(36);
+    for (int i = 0; i < at_least(1'000); ++i) {
+        const curved_surface_of_revolution<double> shape{
+            {0, 0, 0}, {0, 0, 1}, {{0, -1}, {random.uniform(), -0.5}, {random.uniform(), 0.5}, {0, 1}}};
+        const vec3<double> origin = random.direction() * random.log_uniform(0.1, 30),
+                           beside = random.direction() * random.log_uniform(1e-16, 1e-9);
+        const ray<double> ray{origin, vec3<double>(0, 0, 1) - origin + beside};
+        hit_record<double> rec;
+        for (double t = 0; shape.hit(ray, t, infinity<double>, rec); t = std::nextafter(rec.t, infinity<double>)) {
+            REQUIRE_MESSAGE(shape.bounds().contains(rec.point), literal(ray));
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_NUMBERS) {
     random_numbers random(35);
     const int rays = test_rays;

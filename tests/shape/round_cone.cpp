@@ -59,6 +59,17 @@ TEST_CASE_TEMPLATE("round_cone: named cases", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("round_cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<round_cone<T>>(); }
 
+TEST_CASE_TEMPLATE("round_cone: from a point of the surface, in any direction", T, RAIO_NUMBERS) {
+    check_starts_on_surface([](random_numbers& random) {
+        // Of a 3, 4, 5 along an axis of the coordinates, and of a 5, 12, 13 that is slanted.
+        const T r = static_cast<T>(random.integer(1, 1 << 18)), k = static_cast<T>(random.integer(0, 2));
+        const round_cone<T> upright{{0, 0, 0}, {0, 5 * r, 0}, r, 4 * r},
+            slanted{{r, 2 * r, 0}, {6 * r, 14 * r, 0}, r, 6 * r};
+        return random.one_in(2) ? std::pair(upright, vec3<T>(r * (T(1.25) + T(0.75) * k), r * k, 0))
+                                : std::pair(slanted, vec3<T>(0, (3 + k) * r, 0));
+    });
+}
+
 TEST_CASE_TEMPLATE("round_cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<round_cone<T>>();
     check_accuracy<round_cone<T>>(test_rays);

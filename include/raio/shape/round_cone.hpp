@@ -170,15 +170,6 @@ private:
         const mask_t<W> sided = E(apart) > tie<W>(E(8 * unit_roundoff<W>) * E(axis2));
         chord<W> c = detail::one_nappe(cross_quadric(cone.surface, to_center, norm1(vec3<E>(to_center)), d),
                                        dot(d, axis) > W(0));
-        if constexpr (!only_sieves<W>) {
-            // Whether the line starts on the cone, rho^2 D = (r + w h)^2 A.A says without a division.
-            const mask_t<W> near_0 = abs(E(c.near.t)) <= c.near.error, far_0 = abs(E(c.far.t)) <= c.far.error;
-            W height = -dot(to_center, axis), reach = r * axis2 + widening * height;
-            vec3<W> across = cross(to_center, axis);
-            const mask_t<W> starts = dot(across, across) * apart == reach * reach;
-            c.near.t = select(every(near_0, starts), W(0), c.near.t);
-            c.far.t = select(every(far_0, starts), W(0), c.far.t);
-        }
         if (missed(c)) return c;
         const auto above = [&](const vec3<T>& center, T radius) {
             plane_height<W> height = height_above<W>(axis, center, ray.origin);
