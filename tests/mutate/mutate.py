@@ -52,6 +52,7 @@ SHAPES = {
     "refine.hpp": ["shape/sphere", "shape/triangle", "shape/cone"],
     "hit_record.hpp": ["shape/sphere"],
     "aabb.hpp": ["shape/disc"],
+    "shape/surface_of_revolution.hpp": ["shape/curved_surface_of_revolution"],
     "polyhedron_faces.hpp": ["shape/convex_polyhedron"],
     "shape/convex_polyhedron.hpp": ["simd/shapes"],
     "swept_crossing.hpp": ["shape/bezier_curve"],

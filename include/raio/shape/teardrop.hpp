@@ -49,7 +49,7 @@ struct teardrop {
         vec3<W> low(bottom), axis = vec3<W>(tip) - low;
         W r(radius), axis2 = dot(axis, axis);
         const bool sound = radius > T(0) && axis2 >= W(least_normal<W>) && r * r >= W(least_normal<W>);
-        if (!sound || !is_finite(bottom) || !is_finite(tip)) return {};
+        if (!sound) return {};
         const auto part = part_near(ray, bottom, low + axis * W(0.5), sqrt(axis2 * W(0.25) + r * r));
         if (!part.exists) return crossings_of_degree<W, 4>(part.certain);
 
