@@ -135,14 +135,15 @@ private:
     /// The cone that touches both spheres; the lesser one is at the base.
     template <class W>
     struct touching_cone {
-        W radius, widening;  ///< at the base, and from there to the top
-        W apart;             ///< D
+        W widening;  ///< from the base to the top
+        W apart;     ///< D
         revolved_quadric<W> surface;
 
-        RAIO_FN constexpr explicit touching_cone(const round_cone& s) : radius(s.base_radius) {
+        RAIO_FN constexpr explicit touching_cone(const round_cone& s) {
             vec3<W> axis = difference_as<W>(s.top, s.base);
             W axis2 = dot(axis, axis);
-            widening = W(s.top_radius) - radius;
+            const W r(s.base_radius);
+            widening = W(s.top_radius) - r;
             apart = axis2 - widening * widening;
             const mask_t<W> precise = axis2 >= W(8) * (axis2 - apart);  // it cancels where the cone is wide
             if (!only_sieves<W> && !all(precise)) {
@@ -152,7 +153,7 @@ private:
                 axis2 = select(precise, axis2, W(exact_axis2));
                 apart = select(precise, apart, W(exact_axis2 - exact_widening * exact_widening));
             }
-            W scale = quotient(axis2, max(apart, W(0)), W(0)), r = radius;
+            W scale = quotient(axis2, max(apart, W(0)), W(0));
             surface = {axis, W(1),           scale * r * r, W(2) * scale * r * widening, scale * widening * widening,
                        W(0), W(s.top_radius)};
         }
@@ -165,15 +166,14 @@ private:
         const round_cone s = narrow_first();
         const touching_cone<W> cone(s);
         vec3<W> axis = cone.surface.axis, d(ray.direction), to_center = difference_as<W>(s.base, ray.origin);
-        W r = cone.radius, widening = cone.widening, apart = cone.apart, axis2 = dot(axis, axis);
         // Spheres that touch from inside leave no side between them.
-        const mask_t<W> sided = E(apart) > tie<W>(E(8 * unit_roundoff<W>) * E(axis2));
+        const mask_t<W> sided = E(cone.apart) > tie<W>(E(8 * unit_roundoff<W>) * E(dot(axis, axis)));
         chord<W> c = detail::one_nappe(cross_quadric(cone.surface, to_center, norm1(vec3<E>(to_center)), d),
                                        dot(d, axis) > W(0));
         if (missed(c)) return c;
         const auto above = [&](const vec3<T>& center, T radius) {
             plane_height<W> height = height_above<W>(axis, center, ray.origin);
-            W lower = widening * W(radius);
+            W lower = cone.widening * W(radius);
             height.value += lower;
             height.error += with_underflow<W>(E(4 * unit_roundoff<W>) * (abs(E(height.value)) + E(lower)));
             return height;
