@@ -100,6 +100,11 @@ struct subject<bezier_curve<T>> {
         }
         return least;
     }
+    static bool is_at_tip(const bezier_curve<oracle>& s, const vec3<oracle>& p) {
+        const oracle near = (norm1(vec3<oracle>(s.p3 - s.p0)) + s.r0 + s.r1 + s.r2 + s.r3) * 0x1p-30;
+        return (s.r0 == 0 && norm1(vec3<oracle>(p - s.p0)) < near) ||
+               (s.r3 == 0 && norm1(vec3<oracle>(p - s.p3)) < near);
+    }
     static constexpr bool touching_parts_are_one = true;
     static bezier_curve<oracle> grown(bezier_curve<oracle> s) {
         for (oracle* r : {&s.r0, &s.r1, &s.r2, &s.r3}) *r *= 1 + oracle(1e-40);
@@ -239,6 +244,23 @@ TEST_CASE("bezier_curve: the turn just before an end, seen from far away (the no
                  0x1.70ae78p+12f},
                 {{-0x1.e0d602p+31f, 0x1.5aaaaap+30f, -0x1.a00a5cp+31f},
                  {0x1.758fb8p-1f, -0x1.0d4e3p-2f, 0x1.4335bp-1f}}) == "");
+}
+
+TEST_CASE("bezier_curve: beside a tip, in double (the normal was off by twenty thousand roundings)") {
+    double worst = 0;
+    CHECK(inexactness<bezier_curve<double>>({{{0x1.dc8c52f737a55p+6, 0x1.7255a1581934fp+3, -0x1.604e77ac7fe1ap+8},
+                                              {0x1.3d793824ddbeap+10, 0x1.6690d72911208p+10, 0x1.91185b91ce08bp+9},
+                                              {0x1.6833644e92963p-1, -0x1.0d23e65eddc5cp+2, -0x1.2ec9fb0b4f324p+0},
+                                              {-0x1.17ad3f78cfb0ep+6, 0x1.9844b429be9a6p+5, 0x1.e3d8fc9a8fd31p+2},
+                                              0x1.de6d88d8197ebp+6,
+                                              0x1.214b30b9c9147p+6,
+                                              0x1.64823ecfc6a57p+6,
+                                              0},
+                                             {{-0x1.17ab1c864a519p+6, 0x1.984188dea4a4ep+5, 0x1.e3c95be37fef6p+2},
+                                              {-0x1.cb6508d645f76p-2, 0x1.6c03a8fcad8b1p-3, 0x1.c07182c86a004p-1}},
+                                             0,
+                                             0x1.13005fecdf6c8p-8},
+                                            worst) == "");
 }
 
 TEST_CASE("bezier_curve: what leaves a line that touches every sphere") {

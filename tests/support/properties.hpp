@@ -216,6 +216,9 @@ bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec)
     const oracle depth = 4 * oracle(norm1(rec.error)) + 8 * unit_roundoff<number_t<Shape>> * oracle(norm1(rec.point));
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     const auto distance = [&](const vec3<oracle>& p) { return oracle(about::distance(exact_shape, p)); };
+    if constexpr (requires { about::is_at_tip(exact_shape, vec3<oracle>(0)); }) {
+        if (about::is_at_tip(exact_shape, converted<oracle>(rec.point))) return false;
+    }
     // Of a thin rim, what is as deep may be outside half as far to a side, or what is a 16th as deep along the face.
     const auto point = converted<oracle>(rec.point);
     const auto is_clear = [&](const vec3<oracle>& way, int side) {

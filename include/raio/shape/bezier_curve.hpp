@@ -171,12 +171,13 @@ struct bezier_curve {
         using Q = working_t<N>;
         W u = c.u;
         vec3<W> from_center = seen_from(p0, ray, c.t), ahead(W(0));
+        // The normal depends on more digits of u than t does. What double takes for an end may be a turn before it.
+        const sphere_near<W> at = sphere_at(from_center, u, bound_t<W>(0));
+        W longest = c.v;
         if constexpr (!last_precision<W>) {
-            // The normal depends on more digits of u than t does. What double takes for an end may be a turn before it.
-            const sphere_near<W> at = sphere_at(from_center, u, bound_t<W>(0));
-            const W longest = c.v > W(0) ? c.v : at.unnoticed(vec3<W>(ray.direction) * W(c.error));
-            u = max(W(0), min(W(1), u + at.further(longest)));
+            if (!(longest > W(0))) longest = at.unnoticed(vec3<W>(ray.direction) * W(c.error));
         }
+        u = max(W(0), min(W(1), u + at.further(longest)));
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const polynomial<W, 3> center = coordinate<W>(axis);
             from_center[axis] -= center(u), ahead[axis] = center.derivative()(u);
