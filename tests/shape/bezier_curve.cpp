@@ -100,8 +100,9 @@ struct subject<bezier_curve<T>> {
         }
         return least;
     }
+    /// Where 106 bits cannot tell the surface from a little beyond (see bezier_curve.hpp).
     static bool is_at_tip(const bezier_curve<oracle>& s, const vec3<oracle>& p) {
-        const oracle near = (norm1(vec3<oracle>(s.p3 - s.p0)) + s.r0 + s.r1 + s.r2 + s.r3) * 0x1p-30;
+        const oracle near = (norm1(vec3<oracle>(s.p3 - s.p0)) + s.r0 + s.r1 + s.r2 + s.r3) * 0x1p-40;
         return (s.r0 == 0 && norm1(vec3<oracle>(p - s.p0)) < near) ||
                (s.r3 == 0 && norm1(vec3<oracle>(p - s.p3)) < near);
     }

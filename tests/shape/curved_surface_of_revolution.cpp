@@ -148,7 +148,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: straight lines and a parabola"
             ++hits;
             REQUIRE(rec.t == expected.t);
             REQUIRE(rec.front_face == expected.front_face);
-            // Where the surface ends on the axis, what the point may be off by is a turn.
+            // What the point may be off by, of a line that all but touches, turns the normal about the axis.
             const vec3<T> beside = cross(vec3<T>(rec.point - a.base), a.axis) / length(a.axis);
             const T turn = norm1(rec.error) / (length(beside) + std::numeric_limits<T>::min());
             REQUIRE(length(vec3<T>(rec.normal - expected.normal)) < turn + 32 * std::numeric_limits<T>::epsilon());

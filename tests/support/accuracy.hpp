@@ -277,7 +277,8 @@ void check_nothing_is_hit_beside(int rays) {
 inline double with_chance(double expected) { return expected + 3 * std::sqrt(expected); }
 
 /// Sends rays in numbers. A few are excused: of doubles mostly rays from a point of the surface, rounded to double,
-/// whose t is below 1e-16 of its size. \param excusable_doubles  part of the rays
+/// whose t is below 1e-16 of its size.
+/// \param excusable_doubles  part of the rays
 template <class Shape>
 void check_accuracy(int rays, double excusable_doubles = 1e-3) {
     using T = number_t<Shape>;
