@@ -54,6 +54,20 @@ TEST_CASE("polynomial: the error of a value is bounded") {
     }
 }
 
+TEST_CASE_TEMPLATE("polynomial: the bound of a value holds, whatever was rounded off in adding it up", W, strict_double,
+                   double_double) {
+    random_numbers random(4);
+    for (int i = 0; i < at_least(20'000); ++i) {
+        polynomial<oracle, 3> exact_a, exact_b;
+        const auto a = random_polynomial<W>(random, exact_a), b = random_polynomial<W>(random, exact_b);
+        const auto p = product<6>(a, b), sum = p + p;
+        const auto exact_p = product<6>(exact_a, exact_b), exact_sum = exact_p + exact_p;
+        const double t = random.log_uniform(1e-3, 1e3);
+        REQUIRE(abs(exactly(p(W(t))) - exact_p(t)) <= exactly(p.noise()(t)));
+        REQUIRE(abs(exactly(sum(W(t))) - exact_sum(t)) <= exactly(sum.noise()(t)));
+    }
+}
+
 // A Roman surface whose squares were 0 was met for one question, and missed for the other.
 TEST_CASE("polynomial: what is lost below the smallest numbers counts as an error") {
     const auto tiny = product<2>(polynomial<double, 1>{{0x1p-538}}, polynomial<double, 1>{{0x1p-538}});

@@ -43,6 +43,18 @@ polynomial<W, N> with_roots(const oracle& leading, const std::vector<oracle>& ro
     return p;
 }
 
+/// The polynomial with each coefficient off by that part of it, or less, as its errors say.
+template <class W, std::size_t N>
+polynomial<W, N> blurred(polynomial<W, N> p, double part, random_numbers& random) {
+    using E = bound_t<W>;
+    for (std::size_t k = 0; k <= N; ++k) {
+        const double off = part * (random.one_in(4) ? random.uniform(-1, 1) : random.one_in(2) ? -1 : 1);
+        p.error[k] = (p.error[k] + (E(part) + E(2 * unit_roundoff<W>)) * E(abs(p.coefficient[k]))) * E(1 + 0x1p-51);
+        p.coefficient[k] += p.coefficient[k] * W(off);
+    }
+    return p;
+}
+
 /// What is wrong with the roots that were found of a polynomial with these.
 template <std::size_t N, class W>
 std::string wrong_roots(const polynomial_roots<W, N>& found, std::vector<oracle> roots, const oracle& low,
@@ -342,17 +354,77 @@ std::vector<oracle> random_roots(random_numbers& random) {
     return roots;
 }
 
+/// Is a root that is as far from others as from 0 known less well than to some hundred times of what the noise makes of
+/// it?
+template <class W, std::size_t N>
+bool rough_root(const polynomial_roots<W, N>& found, const polynomial<W, N>& p, const oracle& leading,
+                const std::vector<oracle>& roots, double length) {
+    const oracle u = unit_roundoff<W>;
+    for (const polynomial_root<W>& place : found) {
+        const oracle t = exactly(place.t), noise = exactly(p.noise()(bound_t<W>(abs(place.t))));
+        const auto nearer = [&](const oracle& a, const oracle& b) { return abs(a - t) < abs(b - t); };
+        const auto nearest = std::ranges::min_element(roots, nearer);
+        oracle slope = leading, apart = length;
+        for (auto other = roots.begin(); other != roots.end(); ++other) {
+            if (other == nearest) continue;
+            slope *= *other - *nearest;
+            apart = min(apart, abs(*other - *nearest));
+        }
+        const oracle off = noise / abs(slope);
+        if (off < apart / 1000 && abs(t) < 2 * apart && exactly(place.error) > 200 * (off + u * (abs(t) + u * length)))
+            return true;
+    }
+    return false;
+}
+
+/// What is wrong if the roots are looked for as those of a derivative are, of which also the height has to be known: up
+/// to a root, the polynomial must not be larger than the place says that the root alone belongs to.
+template <class W, std::size_t N>
+std::string wrong_turns(const polynomial<W, N>& p, const oracle& leading, const std::vector<oracle>& roots, double low,
+                        double high, double tolerance) {
+    using E = bound_t<W>;
+    polynomial_roots<W, N> found;
+    found.certain = false;
+    const detail::root_finder<W, N> finder(p, W(low), W(high));
+    finder.template find<true>(E(tolerance), E(tolerance), [&](const detail::enclosure<W>&, auto approached) {
+        found.places[found.count++] = approached();
+        return true;
+    });
+    for (const oracle& root : roots) {
+        const auto has_root = [&](const auto& place) { return abs(root - exactly(place.t)) <= exactly(place.error); };
+        const auto place = std::ranges::find_if(found, has_root);
+        if (root < low || root > high || std::ranges::count_if(found, has_root) != 1) continue;
+        for (const double part : {0.0, 0.25, 0.5, 0.75}) {
+            const oracle x = exactly(place->t) + (root - exactly(place->t)) * part;
+            oracle height = leading;
+            for (const oracle& other : roots) height *= x - other;
+            if (abs(height) > exactly(place->height)) return "higher than it says";
+        }
+    }
+    return wrong_roots<N, W>(found, roots, oracle(low), oracle(high));
+}
+
 template <class W, std::size_t N>
 void check_random_roots(int count, int least_certain) {
     random_numbers random(N);
     int complaints = 0, certain = 0;
     for (int i = 0; i < count; ++i) {
         const std::vector<oracle> roots = random_roots<N>(random);
-        const double high = random.log_uniform(1, 1e13), low = random.one_in(2) ? -high : random.uniform(-5, 0.5);
-        const auto p = with_roots<W, N>(oracle(random.log_uniform(1e-3, 1e3)), roots);
+        double high = random.log_uniform(1, 1e13), low = random.one_in(2) ? -high : random.uniform(-5, 0.5);
+        if (random.one_in(4) && !roots.empty()) {  // an end beside a root
+            const double end = rounded<double>(roots[0]) * (1 + random.uniform(-1, 1) * random.log_uniform(1e-17, 0.1));
+            (end < low / 2 + high / 2 ? low : high) = end;
+        }
+        const oracle leading(random.log_uniform(1e-3, 1e3));
+        auto p = with_roots<W, N>(leading, roots);
+        if (random.one_in(3)) p = blurred(p, random.log_uniform(1e-20, 1e-1), random);
         const polynomial_roots<W, N> found = roots_between(p, W(low), W(high));
         certain += found.certain;
-        const std::string wrong = wrong_roots<N, W>(found, roots, oracle(low), oracle(high));
+        std::string wrong = wrong_roots<N, W>(found, roots, oracle(low), oracle(high));
+        if (wrong.empty() && found.certain && rough_root<W, N>(found, p, leading, roots, high - low))
+            wrong = "rougher than the noise";
+        const double tolerance = random.one_in(2) ? 0x1p-7 : detail::last_step<W>;
+        if (wrong.empty()) wrong = wrong_turns(p, leading, roots, low, high, tolerance);
         if (wrong.empty() || ++complaints > 3) continue;
         std::string text;
         for (const oracle& root : roots) text += ' ' + root.str(20);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/oracle.hpp"
+#include "support/random.hpp"
 
 namespace raio::test {
 
@@ -60,6 +61,17 @@ TEST_CASE("root_finder: wherever it looks first, it finds the root that is enclo
         CHECK(std::abs(static_cast<double>(root.t) - 2) <= root.error);
         CHECK(root.error < 1e-13);
         CHECK((root.before == -1 && root.after == 1));
+    }
+}
+
+TEST_CASE_TEMPLATE("root_finder: a root at an end is within the error, which was a rounding short of it", W,
+                   strict_double, double_double) {
+    random_numbers random(5);
+    for (int i = 0; i < at_least(1000); ++i) {
+        const W low(-random.log_uniform(1e-30, 1)), high(random.log_uniform(1e-30, 1)), t(random.uniform(0, 1));
+        const oracle error = exactly(detail::farthest_from(t, low, max(t, high)));
+        REQUIRE(exactly(t) - exactly(low) <= error);
+        REQUIRE(exactly(high) - exactly(t) <= error);
     }
 }
 

@@ -38,7 +38,7 @@ template <real W>
 RAIO_FN constexpr polynomial_root<W> somewhere_in(const enclosure<W>& about) {
     using E = bound_t<W>;
     W middle = about.low + (about.high - about.low) * W(0.5);
-    return {middle, E(max(about.high - middle, middle - about.low)), about.before, about.after, E(infinity<E>)};
+    return {middle, farthest_from(middle, about.low, about.high), about.before, about.after, E(infinity<E>)};
 }
 
 }  // namespace detail

@@ -22,7 +22,7 @@ struct polynomial_root {
     W t;
     bound_t<W> error;   ///< bound of |t - root|, for every root that is meant
     int before, after;  ///< the signs of the polynomial to both sides; 0 beyond an end of the interval
-    bound_t<W> height;  ///< bound of the polynomial's magnitude within `error` of t
+    bound_t<W> height;  ///< of another polynomial's turn: bound of the magnitude from t to each root that is meant
 };
 
 namespace detail {
@@ -34,6 +34,13 @@ struct enclosure {
     int before, after;  ///< the signs of the polynomial there
     bool is_one;        ///< is there one simple root for certain?
 };
+
+/// How far any place between low and high may be from t, which is one, rounded up: a root beside an end counts as well.
+template <real W>
+RAIO_FN constexpr bound_t<W> farthest_from(const W& t, const W& low, const W& high) {
+    using E = bound_t<W>;
+    return E(max(high - t, t - low)) * E(1 + 4 * unit_roundoff<E>);
+}
 
 /// How much of a step of Halley's method it may have missed the root by, if that is no longer than `tolerance` of t: as
 /// much of it as the square of that, or a few roundings of the slope.
@@ -258,7 +265,7 @@ private:
             const bool left_clear = !(from.t < left) || sign_beyond(at_left, noise) == from.sign;
             const bool right_clear = !(right < to.t) || sign_beyond(at_right, noise) == to.sign;
             if (left_clear && right_clear) {
-                return {t, E(max(right - t, t - left)), from.sign, to.sign,
+                return {t, farthest_from(t, left, right), from.sign, to.sign,
                         E(2) * (max(E(abs(at_left)), E(abs(at_right))) + noise)};
             }
             reach = reach * E(4);
@@ -277,7 +284,7 @@ private:
             const bool right_clear = !(right < after.t) || has_sign_of(after, right);
             if (left_clear && right_clear) {
                 E ends = E(2) * (max(E(abs(p_(left))), E(abs(p_(right)))) + noise_(E(abs(t)) + reach));
-                return {t, E(max(right - t, t - left)), before.sign, after.sign, max(ends, highest)};
+                return {t, farthest_from(t, left, right), before.sign, after.sign, max(ends, highest)};
             }
             reach = reach * E(8);
         }
