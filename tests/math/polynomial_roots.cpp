@@ -230,6 +230,15 @@ TEST_CASE_TEMPLATE("polynomial_roots: a turn where a root is looked for is no ro
     }
 }
 
+TEST_CASE_TEMPLATE("polynomial_roots: a root in the middle of where a turn is enclosed is certain as well", W,
+                   strict_double, double_double, oracle) {
+    const auto found = roots_between(polynomial<W, 5>{{0, -625, 0, 0, 0, 1}}, W(-10), W(10));
+    REQUIRE((found.certain && found.count == 3));
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(abs(exactly(found.places[i].t) - (5 * static_cast<int>(i) - 5)) <= exactly(found.places[i].error));
+    }
+}
+
 TEST_CASE_TEMPLATE("polynomial_roots: only the first root beyond a place", W, strict_double, oracle) {
     using E = bound_t<W>;
     const auto p = with_roots<W, 4>(1, {-3, -1, 2, 7});
