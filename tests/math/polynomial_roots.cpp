@@ -424,7 +424,7 @@ void check_random_roots(int count, int least_certain) {
             const double end = rounded<double>(roots[0]) * (1 + random.uniform(-1, 1) * random.log_uniform(1e-17, 0.1));
             (end < low / 2 + high / 2 ? low : high) = end;
         }
-        const oracle leading(random.log_uniform(1e-3, 1e3));
+        const oracle leading((random.one_in(2) ? -1 : 1) * random.log_uniform(1e-3, 1e3));
         auto p = with_roots<W, N>(leading, roots);
         if (random.one_in(3)) p = blurred(p, random.log_uniform(1e-20, 1e-1), random);
         const polynomial_roots<W, N> found = roots_between(p, W(low), W(high));

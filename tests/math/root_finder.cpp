@@ -84,6 +84,8 @@ TEST_CASE("root_finder: what cannot be evaluated everywhere") {
     CHECK(is_sound(W(1), -1, 1));
     CHECK(!is_sound(W(1), 1, 1));
     CHECK(!is_sound(W(1), 1, -1));
+    CHECK(!is_sound(W(1), -1e160, 1));
+    CHECK(!is_sound(W(1), -1, 1e160));
     CHECK(!is_sound(W(NAN), -1, 1));
     CHECK(!is_sound(W(1e300), -1e10, 1e10));
 }
