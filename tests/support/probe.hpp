@@ -72,8 +72,11 @@ probe<Shape> scattered_probe(random_numbers& random) {
         }
     }
     if (random.one_in(4)) p.ray.direction *= static_cast<T>(std::ldexp(1.0, random.integer(-66, 66)));
-    if (random.one_in(16)) p.ray.direction = -p.ray.direction;  // away from it
-    if (hit_record<T> rec; random.one_in(6) && p.hit(rec)) {    // from the surface, or from next to it
+    if (random.one_in(16)) {  // away from it, which it may be met behind
+        p.ray.direction = -p.ray.direction;
+        if (random.one_in(2)) p.t_min = -infinity<T>;
+    }
+    if (hit_record<T> rec; random.one_in(6) && p.hit(rec)) {  // from the surface, or from next to it
         const double off = random.one_in(2) ? size * random.log_uniform(1e-9, 1e-4) : 0.0;
         const vec3<double> near_by = to_double(rec.point) + random.direction() * off;
         p.ray = {vec3<T>(near_by), vec3<T>(random.direction())};
