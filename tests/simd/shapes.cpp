@@ -75,16 +75,21 @@ TEST_CASE("packs of floats: a ray that starts closer to a tip than squares of fl
     CHECK((!near.certain[0] || std::abs(double(near.t[0]) - exact) <= double(near.error[0])));
 }
 
-/// A hit is recorded alike by one number and in each lane of packs that are all the same.
+/// A hit is recorded alike by one number and in each lane of packs that are all the same, ahead and behind.
 template <class Shape, class Packed>
 void check_same_in_packs(const Shape& plain, const Packed& packed, const ray<number_t<Shape>>& r) {
     using T = number_t<Shape>;
     using P = number_t<Packed>;
-    hit_record<T> expected;
-    hit_record<P> found;
-    REQUIRE(plain.hit(r, 0, infinity<T>, expected));
-    REQUIRE(all(packed.hit({vec3<P>(r.origin), vec3<P>(r.direction)}, P(0), P(infinity<T>), found)));
-    for (std::size_t lane = 0; lane < P::lanes; ++lane) CHECK(same_as_plain(detail::in_lane<P>(found, lane), expected));
+    const auto check_along = [&](const vec3<T>& direction, T t_min, T t_max) {
+        hit_record<T> expected;
+        hit_record<P> found;
+        REQUIRE(plain.hit({r.origin, direction}, t_min, t_max, expected));
+        REQUIRE(all(packed.hit({vec3<P>(r.origin), vec3<P>(direction)}, P(t_min), P(t_max), found)));
+        for (std::size_t lane = 0; lane < P::lanes; ++lane)
+            CHECK(same_as_plain(detail::in_lane<P>(found, lane), expected));
+    };
+    check_along(r.direction, T(0), infinity<T>);
+    check_along(-r.direction, -infinity<T>, T(0));
 }
 
 TEST_CASE("packs of floats: a sliver, of whose error one number knows less than the sieve") {
