@@ -43,7 +43,8 @@ polynomial<W, N> with_roots(const oracle& leading, const std::vector<oracle>& ro
     return p;
 }
 
-/// The polynomial with each coefficient off by that part of it, or less, as its errors say.
+/// The polynomial with each coefficient off by that part of it, or less, as its errors say (rounded up, for adding them
+/// takes three roundings).
 template <class W, std::size_t N>
 polynomial<W, N> blurred(polynomial<W, N> p, double part, random_numbers& random) {
     using E = bound_t<W>;

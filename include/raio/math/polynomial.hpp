@@ -52,14 +52,17 @@ struct polynomial {
 
     /// The polynomial whose value at |t| bounds the error of the value at t: that of the coefficients, and 2 N + 2
     /// roundings of each term. (By Horner's rule in t^2 it has 3 N / 2, and 2 more are those of the odd sum; Higham,
-    /// Accuracy and Stability of Numerical Algorithms, 5.1.) And what products too small for their digits have lost,
-    /// and the roundings of the bound itself.
+    /// Accuracy and Stability of Numerical Algorithms, 5.1.) And what products too small for their digits have lost.
+    ///
+    /// The bound is itself rounded, less than 2 N + 5 times here, and so were the errors it is made of, some fifty
+    /// times in a product of products: of 128 roundings there is room for those.
     RAIO_FN constexpr polynomial<bound_t<W>, N> noise() const {
         using E = bound_t<W>;
-        const E up(1 + 128 * unit_roundoff<E>);
+        const E rounded_up(1 + 128 * unit_roundoff<E>);
         polynomial<E, N> bound{{E(least_normal<W>)}};
         for (std::size_t k = 0; k <= N; ++k) {
-            bound.coefficient[k] += (error[k] + E((2 * N + 2) * unit_roundoff<W>) * E(abs(coefficient[k]))) * up;
+            bound.coefficient[k] +=
+                (error[k] + E((2 * N + 2) * unit_roundoff<W>) * E(abs(coefficient[k]))) * rounded_up;
         }
         return bound;
     }

@@ -22,7 +22,7 @@ struct polynomial_root {
     W t;
     bound_t<W> error;   ///< bound of |t - root|, for every root that is meant
     int before, after;  ///< the signs of the polynomial to both sides; 0 beyond an end of the interval
-    bound_t<W> height;  ///< if it is a turn of another one: bound of the polynomial's magnitude from t to what is meant
+    bound_t<W> height;  ///< of another one's turn: bound of this one's magnitude from t to each root that is meant
 };
 
 namespace detail {
@@ -35,7 +35,8 @@ struct enclosure {
     bool is_one;        ///< is there one simple root for certain?
 };
 
-/// How far the farther of two ends is from t, which lies between them; rounded up, so that a root beside it is as near.
+/// How far t is from the farther of the ends that it lies between, rounded up (the distance takes three roundings): a
+/// root may lie right beside that end.
 template <real W>
 RAIO_FN constexpr bound_t<W> farthest_from(const W& t, const W& low, const W& high) {
     using E = bound_t<W>;
