@@ -75,7 +75,9 @@ RAIO_FN constexpr bound_t<W> closest_triple_product_bound(const vec3<W>& a, cons
     if constexpr (!only_sieves<W>) {
         return triple_product_bound(a, b, c);
     } else {
-        return with_underflow<W>(permanent(a, b, c) + with_underflow<W>(W(0)) * norm1(a));
+        // What small floats lose of b x c counts |a| times. It is added as the larger of that and what is lost once,
+        // twice: a product with a small |a| would be subnormal, which costs a trap.
+        return permanent(a, b, c) + with_underflow<W>(W(0)) * (W(2) * max(W(1), norm1(a)));
     }
 }
 
@@ -130,9 +132,10 @@ RAIO_FN constexpr mask_t<W> is_unwanted([[maybe_unused]] const Wanted& wanted, [
                                         [[maybe_unused]] const bound_t<W>& size_error) {
     if constexpr (std::same_as<Wanted, first_from<W>>) {
         using E = bound_t<W>;
-        // Twice the errors, for the roundings here and that of t; a t that is too small for any number counts as 0.
-        const E least(least_normal<W>), begin = E(wanted.t_min) - least, end = E(wanted.t_max) + least;
-        E of_way = E(2) * way_error, of_size = E(2) * size_error;
+        // Twice the errors, for the roundings here and that of t; and a t that is too small for any number counts as 0.
+        // That margin is no factor of a product: with a small size it would be subnormal, which costs a trap.
+        E least = E(least_normal<W>) * max(E(1), E(size)), begin(wanted.t_min), end(wanted.t_max);
+        E of_way = E(2) * way_error + least, of_size = E(2) * size_error;
         E earliest = E(way) - of_way, latest = E(way) + of_way;
         return some(latest < begin * (E(size) - flip(of_size, begin)), end * (E(size) + flip(of_size, end)) < earliest);
     } else {

@@ -1,6 +1,8 @@
 #include <raio/compose/csg.hpp>
 #include <raio/compose/transformed.hpp>
 
+#include <cfenv>
+
 #include "support/meshes.hpp"
 #include "support/trees.hpp"
 
@@ -53,6 +55,23 @@ TEST_CASE_TEMPLATE("bvh: refit to another scale, and of a tree without shapes", 
     bvh<sphere<T>> none;
     none.refit(std::span<const sphere<T>>{});
     CHECK(!none.occluded({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>));
+}
+
+TEST_CASE("bvh: small triangles make no subnormal numbers, which cost a trap each") {
+    random_numbers random(31);
+    for (const double size : {1.0, 0.05, 0.001}) {
+        const bvh tree{moved(icosphere<triangle<float>>(), size, {0, 0, 0})};
+        int hits = 0;
+        for (int i = 0; i < 1000; ++i) {
+            ray<float> ray{within<float>(random, 4 * size), {0, 0, 0}};
+            ray.direction = within<float>(random, size) - ray.origin;
+            hit_record<float> rec;
+            std::feclearexcept(FE_UNDERFLOW);
+            hits += tree.hit(ray, 0, infinity<float>, rec) ? 1 : 0;
+            REQUIRE_MESSAGE(std::fetestexcept(FE_UNDERFLOW) == 0, size, ", ", i);
+        }
+        CHECK(hits > 300);
+    }
 }
 
 TEST_CASE_TEMPLATE("bvh: rays that run nowhere miss, and those beside them do not", T, RAIO_NUMBERS) {
