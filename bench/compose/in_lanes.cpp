@@ -1,5 +1,5 @@
 #include <raio/compose/in_lanes.hpp>
-#include <raio/math/simd.hpp>
+#include <raio/number/simd.hpp>
 #include <raio/shape/torus.hpp>
 
 #include "support.hpp"

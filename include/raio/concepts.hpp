@@ -1,6 +1,6 @@
 #pragma once
 
-#include <raio/settle.hpp>
+#include <raio/proof/settle.hpp>
 
 /// \file
 /// What can be asked of a shape. Whatever answers is a primitive, whether it is one triangle or a tree of them.

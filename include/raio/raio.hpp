@@ -10,7 +10,7 @@
 #include <raio/compose/in_lanes.hpp>
 #include <raio/compose/mesh.hpp>
 #include <raio/compose/transformed.hpp>
-#include <raio/math/simd.hpp>
+#include <raio/number/simd.hpp>
 #include <raio/shape/algebraic.hpp>
 #include <raio/shape/bezier_curve.hpp>
 #include <raio/shape/bilinear_patch.hpp>

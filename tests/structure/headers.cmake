@@ -5,8 +5,11 @@ cmake_minimum_required(VERSION 3.25)
 # The floors of the library, lowest first. A header includes headers of lower floors, and of its own without a cycle.
 set(floors
     "config\\.hpp"
+    "number/.*"
     "math/.*"
-    "(ray|aabb|hit_record|surface_sample|refine|record|window|settle|settle_lanes|lanes|chord|polyhedron_faces|[a-z_]*crossing(_list)?)\\.hpp"
+    "(ray|aabb|hit_record|surface_sample)\\.hpp"
+    "proof/.*"
+    "formula/.*"
     "concepts\\.hpp"
     "shape/.*"
     "compose/.*"
@@ -75,7 +78,7 @@ foreach(header IN LISTS headers)
 
     # Who goes with it.
     set(companions "")
-    if(header MATCHES "^(math|shape|compose|bvh)/")
+    if(header MATCHES "^(number|math|shape|compose|bvh)/")
         list(APPEND companions tests)
     endif()
     if(header MATCHES "^(shape|compose)/")

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <raio/refine.hpp>
+#include <raio/proof/refine.hpp>
 
 #include <doctest/doctest.h>
 

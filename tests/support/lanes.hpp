@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <raio/math/simd.hpp>
+#include <raio/number/simd.hpp>
 
 #include "support/random.hpp"
 

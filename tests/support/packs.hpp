@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include <raio/math/simd.hpp>
+#include <raio/number/simd.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/properties.hpp"

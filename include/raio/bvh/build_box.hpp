@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <raio/aabb.hpp>
-#include <raio/math/simd.hpp>
+#include <raio/number/simd.hpp>
 
 namespace raio::detail {
 

@@ -3,7 +3,7 @@
 #include <raio/bvh/binary_tree.hpp>
 #include <raio/bvh/parallel.hpp>
 #include <raio/bvh/wide_node.hpp>
-#include <raio/math/real.hpp>
+#include <raio/number/real.hpp>
 
 /// \file
 /// The wide tree out of the binary one, of all that could be made of it the one of least cost.

@@ -3,8 +3,8 @@
 #include <cstring>
 
 #include <raio/concepts.hpp>
-#include <raio/lanes.hpp>
-#include <raio/math/simd.hpp>
+#include <raio/number/simd.hpp>
+#include <raio/proof/lanes.hpp>
 
 /// \file
 /// N shapes in one shape of packs, which stand in the leaves of a tree.

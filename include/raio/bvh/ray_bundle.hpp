@@ -4,7 +4,7 @@
 
 #include <raio/aabb.hpp>
 #include <raio/bvh/wide_node.hpp>
-#include <raio/lanes.hpp>
+#include <raio/proof/lanes.hpp>
 
 namespace raio::detail {
 

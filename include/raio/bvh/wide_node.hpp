@@ -2,7 +2,7 @@
 
 #include <raio/bvh/build_box.hpp>
 #include <raio/bvh/large_pages.hpp>
-#include <raio/math/simd.hpp>
+#include <raio/number/simd.hpp>
 #include <raio/ray.hpp>
 
 namespace raio::detail {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include <raio/concepts.hpp>
-#include <raio/lanes.hpp>
+#include <raio/proof/lanes.hpp>
 
 namespace raio {
 

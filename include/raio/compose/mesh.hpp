@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <raio/math/simd.hpp>
+#include <raio/number/simd.hpp>
 #include <raio/shape/triangle.hpp>
 
 namespace raio {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <raio/concepts.hpp>
-#include <raio/lanes.hpp>
 #include <raio/math/transform.hpp>
+#include <raio/proof/lanes.hpp>
 
 namespace raio {
 

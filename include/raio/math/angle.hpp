@@ -2,14 +2,9 @@
 
 #include <numbers>
 
-#include <raio/math/real.hpp>
+#include <raio/number/real.hpp>
 
 namespace raio {
-
-template <class T>
-inline const T pi = T(std::numbers::pi);
-template <class T>
-requires(std::is_trivially_copyable_v<T>) inline constexpr T pi<T> = T(std::numbers::pi);
 
 namespace detail {
 

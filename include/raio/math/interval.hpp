@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <raio/math/real.hpp>
+#include <raio/number/real.hpp>
 
 namespace raio {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 
-#include <raio/math/double_double.hpp>
-#include <raio/math/real.hpp>
+#include <raio/number/double_double.hpp>
+#include <raio/number/real.hpp>
 
 /// \file
 /// Polynomials, their sums and products, the errors of their coefficients carried along.

@@ -3,8 +3,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <raio/math/double_double.hpp>
-#include <raio/math/real.hpp>
+#include <raio/number/double_double.hpp>
+#include <raio/number/real.hpp>
 
 /// \file
 /// Vectors are GLM's. Only the functions that GLM reserves for the built-in numbers are written again, for every

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include <raio/algebraic_crossing.hpp>
+#include <raio/formula/polynomial_along.hpp>
 #include <raio/shape/box.hpp>
 
 namespace raio {

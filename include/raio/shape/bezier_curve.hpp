@@ -1,17 +1,17 @@
 #pragma once
 
 #include <raio/concepts.hpp>
+#include <raio/formula/sweep.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/bezier.hpp>
 #include <raio/math/frame.hpp>
-#include <raio/swept_crossing.hpp>
 
 namespace raio {
 
 /// A round curve: what a sphere sweeps whose centre C follows a cubic Bezier curve while its radius r, a cubic as well,
 /// changes with it.
 ///
-/// A line goes into the sphere of the parameter u and out of it at (see sphere_crossing.hpp; s > 0 where it meets it)
+/// A line goes into the sphere of the parameter u and out of it at (see formula/sphere.hpp; s > 0 where it meets it)
 ///
 ///     t = (b -+ sqrt(s)) / d.d,    b = (C - origin).d,    s = d.d r^2 - |(C - origin) x d|^2
 ///

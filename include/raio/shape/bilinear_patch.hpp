@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <raio/concepts.hpp>
-#include <raio/crossing_list.hpp>
+#include <raio/proof/crossing_list.hpp>
 #include <raio/shape/triangle.hpp>
 
 namespace raio {

@@ -3,11 +3,11 @@
 #include <vector>
 
 #include <raio/concepts.hpp>
-#include <raio/lanes.hpp>
+#include <raio/formula/plane.hpp>
+#include <raio/formula/polyhedron_faces.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
-#include <raio/plane_crossing.hpp>
-#include <raio/polyhedron_faces.hpp>
+#include <raio/proof/lanes.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {

@@ -7,8 +7,8 @@ namespace raio {
 
 namespace detail {
 
-/// What a cubic Bezier segment sweeps: see revolved_crossing.hpp. Where it meets the axis, 106 bits cannot tell it from
-/// 2^-40 of its size beside it.
+/// What a cubic Bezier segment sweeps: see formula/revolution.hpp. Where it meets the axis, 106 bits cannot tell it
+/// from 2^-40 of its size beside it.
 template <real T>
 struct revolved_piece<T, 3> {
     using number = T;

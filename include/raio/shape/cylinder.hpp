@@ -1,9 +1,9 @@
 #pragma once
 
-#include <raio/axial_crossing.hpp>
 #include <raio/concepts.hpp>
+#include <raio/formula/axis.hpp>
+#include <raio/formula/quadric.hpp>
 #include <raio/math/quadratic.hpp>
-#include <raio/quadric_crossing.hpp>
 #include <raio/surface_sample.hpp>
 
 /// \file

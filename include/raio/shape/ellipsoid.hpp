@@ -1,8 +1,8 @@
 #pragma once
 
 #include <raio/concepts.hpp>
+#include <raio/formula/sphere.hpp>
 #include <raio/math/angle.hpp>
-#include <raio/sphere_crossing.hpp>
 
 namespace raio {
 
@@ -11,7 +11,7 @@ namespace raio {
 ///
 /// A line is mapped so that the ellipsoid becomes a sphere, and its direction is not made unit again: t stays what it
 /// is. Each coordinate is multiplied by the two radii of the other axes, which needs no division and makes a sphere
-/// whose radius is the product of all three; for its crossings see sphere_crossing.hpp.
+/// whose radius is the product of all three; for its crossings see formula/sphere.hpp.
 ///
 /// uv: that of the sphere; u is the angle about +y from +x towards -z, v the latitude, 0 at the lowest y and 1 at the
 /// highest.

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <raio/concepts.hpp>
-#include <raio/quadric_crossing.hpp>
+#include <raio/formula/quadric.hpp>
 #include <raio/surface_sample.hpp>
 
 /// \file
 /// Both frusta, cones cut off across their axis: with its caps one is a solid, without them a funnel.
 ///
 /// From the end with the lesser radius r on, with the other radius R and the height h = 0 to 1, the side is at rho =
-/// r + (R - r) h from the axis: a quadric of revolution, for which see quadric_crossing.hpp. It has a second nappe
+/// r + (R - r) h from the axis: a quadric of revolution, for which see formula/quadric.hpp. It has a second nappe
 /// beyond its apex. A line that is steeper than the generators crosses both, and is inside of this one from its
 /// crossing on, in the direction in which the radius grows.
 ///

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <raio/concepts.hpp>
-#include <raio/crossing_list.hpp>
+#include <raio/formula/quadric.hpp>
 #include <raio/math/conic.hpp>
-#include <raio/quadric_crossing.hpp>
+#include <raio/proof/crossing_list.hpp>
 #include <raio/shape/disc.hpp>
 
 /// \file
@@ -14,7 +14,7 @@
 ///
 ///     rho^2 = waist^2 + (end^2 - waist^2) y^2
 ///
-/// which is a quadric of revolution about the middle, for which see quadric_crossing.hpp. It is not convex: a line that
+/// which is a quadric of revolution about the middle, for which see formula/quadric.hpp. It is not convex: a line that
 /// is steeper than the asymptotes may be inside before and after its two crossings with the side.
 ///
 /// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of

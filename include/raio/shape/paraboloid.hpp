@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include <raio/quadric_crossing.hpp>
+#include <raio/formula/quadric.hpp>
 #include <raio/shape/disc.hpp>
 
 /// \file
 /// Both paraboloids: with its cap one is a solid, without it a dish.
 ///
 /// With the height h, 0 at the vertex and 1 at the top, the side is at the distance rho from the axis, rho^2 = radius^2
-/// h: a quadric of revolution, for which see quadric_crossing.hpp. A line parallel to the axis crosses it once.
+/// h: a quadric of revolution, for which see formula/quadric.hpp. A line parallel to the axis crosses it once.
 ///
 /// Faces are counted side, (none), top. uv of the side: u is the angle about the axis, from the x axis of
 /// `frame_about(axis)`; v the height. uv of the cap: the same u, and v the distance from the axis over the radius.

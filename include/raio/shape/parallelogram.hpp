@@ -1,7 +1,7 @@
 #pragma once
 
 #include <raio/concepts.hpp>
-#include <raio/edge_crossing.hpp>
+#include <raio/formula/edges.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {
@@ -9,7 +9,7 @@ namespace raio {
 /// The points `corner + u edge_u + v edge_v` with u and v in [0, 1]: a flat quadrilateral whose front is the side from
 /// which the turn from `edge_u` to `edge_v` is counter-clockwise.
 ///
-/// A line crosses the plane of the two edges where edge_crossing.hpp finds u, v and t; the four signs of u, v, 1 - u
+/// A line crosses the plane of the two edges where formula/edges.hpp finds u, v and t; the four signs of u, v, 1 - u
 /// and 1 - v, which are exact, say whether that is inside.
 ///
 /// uv: u and v.

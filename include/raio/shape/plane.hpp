@@ -1,9 +1,9 @@
 #pragma once
 
 #include <raio/concepts.hpp>
+#include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
-#include <raio/plane_crossing.hpp>
 
 namespace raio {
 

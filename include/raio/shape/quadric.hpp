@@ -1,9 +1,9 @@
 #pragma once
 
-#include <raio/axial_crossing.hpp>
 #include <raio/concepts.hpp>
-#include <raio/crossing_list.hpp>
-#include <raio/quadric_crossing.hpp>
+#include <raio/formula/axis.hpp>
+#include <raio/formula/quadric.hpp>
+#include <raio/proof/crossing_list.hpp>
 #include <raio/shape/box.hpp>
 
 namespace raio {

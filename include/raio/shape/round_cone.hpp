@@ -10,7 +10,7 @@ namespace raio {
 ///
 /// It is the two spheres and the cone that touches both, united. With the axis A from the lesser sphere, of radius r,
 /// to the other, of radius r + w, and the height h = 0 to 1, the cone is at rho^2 = (r + w h)^2 A.A / D, where D = A.A
-/// - w^2: a quadric of revolution, see quadric_crossing.hpp. The spheres touch it where (p - center).A = -w radius. If
+/// - w^2: a quadric of revolution, see formula/quadric.hpp. The spheres touch it where (p - center).A = -w radius. If
 /// D is not above 0, one sphere is inside of the other.
 ///
 /// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v the height along the axis, 0 at the

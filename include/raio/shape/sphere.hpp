@@ -1,15 +1,15 @@
 #pragma once
 
 #include <raio/concepts.hpp>
+#include <raio/formula/sphere.hpp>
 #include <raio/math/angle.hpp>
-#include <raio/sphere_crossing.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {
 
 /// The points at distance `radius` from `center`.
 ///
-/// How a line crosses it: see sphere_crossing.hpp.
+/// How a line crosses it: see formula/sphere.hpp.
 ///
 /// uv: u is the angle about +y from +x towards -z, v the latitude, 0 at the lowest y and 1 at the highest.
 template <real T>

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include <raio/algebraic_crossing.hpp>
 #include <raio/concepts.hpp>
+#include <raio/formula/polynomial_along.hpp>
 
 namespace raio {
 

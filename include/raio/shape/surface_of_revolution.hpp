@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <raio/revolved_crossing.hpp>
+#include <raio/formula/revolution.hpp>
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/ring.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <raio/algebraic_crossing.hpp>
 #include <raio/concepts.hpp>
+#include <raio/formula/polynomial_along.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
 

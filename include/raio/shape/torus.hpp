@@ -1,9 +1,9 @@
 #pragma once
 
 #include <raio/concepts.hpp>
-#include <raio/crossing_list.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
+#include <raio/proof/crossing_list.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <raio/concepts.hpp>
-#include <raio/edge_crossing.hpp>
+#include <raio/formula/edges.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {
 
 /// The flat triangle a, b, c, whose front is the side from which its corners run counter-clockwise.
 ///
-/// A line crosses its plane at a + u (b - a) + v (c - a): edge_crossing.hpp finds u, v and t.
+/// A line crosses its plane at a + u (b - a) + v (c - a): formula/edges.hpp finds u, v and t.
 ///
 /// The point is inside where u, v and 1 - u - v are not negative. Their signs are exact, so neighbours never disagree
 /// about a ray near their edge, and no ray slips between them. There is no tolerance on det: a triangle may be as small

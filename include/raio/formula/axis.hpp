@@ -1,0 +1,155 @@
+#pragma once
+
+#include <raio/formula/plane.hpp>
+#include <raio/math/angle.hpp>
+#include <raio/math/frame.hpp>
+#include <raio/proof/settle.hpp>
+
+/// \file
+/// What the shapes about an axis share: they stand between the two planes across its ends, and their faces are counted
+/// side, base, top.
+
+namespace raio::detail {
+
+/// The chord through the slab between two planes across the axis, above which the ray starts so high.
+template <class W>
+RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>& above_base,
+                                      const plane_height<W>& above_top, const vec3<W>& d) {
+    using E = bound_t<W>;
+    const slope_along<W> speed = speed_across(axis, d);
+    bounded_number<W> low = speed.zero_of(above_base.value, above_base.error);
+    bounded_number<W> high = speed.zero_of(above_top.value, above_top.error);
+    const mask_t<W> yes = W(0) == W(0), upward = !(speed.value < W(0));
+    const index_t<W> base_face(1), top_face(2);
+    // Each plane has an error of its own: at a tip that lies in one, it is all but none.
+    E near_error = select(upward, low.error, high.error), far_error = select(upward, high.error, low.error);
+    chord<W> c{{yes, speed.certain, min(low.value, high.value), near_error, yes, select(upward, base_face, top_face)},
+               {yes, speed.certain, max(low.value, high.value), far_error, !yes, select(upward, top_face, base_face)}};
+    const mask_t<W> parallel = !speed.exists;
+    if (any(parallel)) {
+        const mask_t<W> between =
+            every(above_base.value >= -tie<W>(above_base.error), above_top.value <= tie<W>(above_top.error));
+        const mask_t<W> decided =
+            every(abs(above_base.value) > above_base.error, abs(above_top.value) > above_top.error);
+        c.near.t = select(parallel, -infinity<W>, c.near.t);
+        c.far.t = select(parallel, infinity<W>, c.far.t);
+        c.near.exists = c.far.exists = some(!parallel, between);
+        c.near.certain = c.far.certain = every(speed.certain, some(!parallel, decided));
+    }
+    return c;
+}
+
+/// The chord through the slab between the two planes that the caps lie in.
+template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
+    vec3<W> axis = difference_as<W>(top, base);
+    return cross_slab(axis, height_above<W>(axis, base, ray.origin), height_above<W>(axis, top, ray.origin),
+                      vec3<W>(ray.direction));
+}
+
+/// The chord below the plane of the upper cap alone.
+template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
+    vec3<W> axis = difference_as<W>(top, base);
+    auto above = height_above<W>(axis, top, ray.origin);
+    crossing<W> plane = cross_plane(axis, vec3<W>(ray.direction), above.value, above.error);
+    const mask_t<W> parallel = !plane.exists, upward = !plane.entering, yes = W(0) == W(0);
+    const mask_t<W> exists = some(!parallel, above.value <= tie<W>(above.error));
+    const mask_t<W> certain = every(plane.certain, some(!parallel, abs(above.value) > above.error));
+    W near = select(some(parallel, upward), -infinity<W>, plane.t);
+    W far = select(some(parallel, !upward), infinity<W>, plane.t);
+    const index_t<W> top_face(2);
+    return {{exists, certain, near, plane.error, yes, top_face}, {exists, certain, far, plane.error, !yes, top_face}};
+}
+
+/// The crossing, if it lies in the slab: what an open side keeps of those of the endless surface.
+template <class W>
+RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
+    W before = c.t - slab.near.t, after = slab.far.t - c.t;
+    using E = bound_t<W>;
+    E before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
+    E size = abs(E(slab.near.t)) + abs(E(slab.far.t));  // of its t, as in polyhedra: what is between may be a point
+    const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
+    const mask_t<W> between = every(before > before_error, after > after_error);
+    c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
+    c.exists =
+        every(c.exists, slab.near.exists, before >= -tie<W>(before_error, size), after >= -tie<W>(after_error, size));
+    return c;
+}
+
+/// The chord of a side, whose face is 0, and of the spheres at both its ends, whose faces are 1 and 2. These lie within
+/// the side without its ends: where that is crossed between them, they are not.
+template <class W, class Sphere, real R>
+RAIO_FN constexpr chord<W> with_round_ends(const chord<W>& c, const Sphere& low, const Sphere& high,
+                                           const ray<R>& ray) {
+    const index_t<W> side(0);
+    const mask_t<W> beside = every(c.near.exists, c.near.certain, c.near.face == side, c.far.face == side);
+    if (all(beside)) return c;
+    chord<W> of_low = low.template crossings<W>(ray), of_high = high.template crossings<W>(ray);
+    of_low.near.face = of_low.far.face = index_t<W>(1);
+    of_high.near.face = of_high.far.face = index_t<W>(2);
+    chord<W> whole = unite(c, unite(of_low, of_high));
+    return {select(beside, c.near, whole.near), select(beside, c.far, whole.far)};
+}
+
+/// What is missing of a crossing with a shape that has round ends; `side` says that of the side.
+template <class X, class W, class Sphere, class Side>
+RAIO_FN constexpr crossing<W> correct_round(const Sphere& low, const Sphere& high, const nearby_ray<X, W>& ray,
+                                            const crossing<W>& c, Side side) {
+    const auto of_low = [&] { return low.correction(ray, c); };
+    const auto of_high = [&] { return high.correction(ray, c); };
+    const auto of_end = [&] { return find_where(c.face == index_t<W>(1), of_low, of_high); };
+    return find_where(c.face == index_t<W>(0), side, of_end);
+}
+
+/// What is missing of a crossing with a shape that has flat caps.
+template <class X, class W, real T, class Side>
+RAIO_FN constexpr crossing<W> correct_axial(const vec3<T>& base, const vec3<T>& top, const nearby_ray<X, W>& ray,
+                                            const crossing<W>& c, Side side) {
+    const auto of_cap = [&] {
+        return correct_plane(difference_as<X>(top, base), select(c.face == index_t<W>(1), base, top), ray);
+    };
+    return find_where(c.face == index_t<W>(0), side, of_cap);
+}
+
+/// What all of them record: the normal and uv of the face that was hit.
+/// \param radii          of the two caps
+/// \param bend           how far the side curves at most
+/// \param side_gradient  outwards across the side, of any length, from the vector from the axis and the height there
+template <class W, real T, real R, real N, class SideGradient>
+RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, T bend,
+                                     const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec,
+                                     SideGradient side_gradient) {
+    using Q = working_t<N>;
+    vec3<W> axis = difference_as<W>(top, base), from_base = seen_from(base, ray, c.t);
+    W height = dot(from_base, axis) / dot(axis, axis);
+    vec3<W> across = from_base - axis * height;
+    const mask_t<W> side = c.face == index_t<W>(0), low = c.face == index_t<W>(1);
+    vec3<Q> up = scaled_into_range<T>(vec3<Q>(axis)), from_axis(across);
+    vec3<Q> sideways = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
+    vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
+    Q steep = length(outward);
+    const mask_t<Q> waist = !every(steep > Q(0), is_finite(steep));
+    if (any(waist)) {  // too narrow for a normal, or too wide: it is the axis, against the ray
+        const Q turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction)))) * select(c.entering, Q(1), Q(-1));
+        outward = select(waist, up * turned, outward), steep = select(waist, length(up), steep);
+    }
+
+    record_point(ray, c, rec, bend);
+    rec.normal = vec3<N>(outward * (select(c.entering, Q(1), Q(-1)) / steep));
+    // Angles do not ask for unit length.
+    const frame<Q> f = frame_about(up, length(up));
+    const T rho(quotient(length(from_axis), Q(select(low, radii.x, radii.y)), Q(0)));
+    rec.uv = {turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))),
+              max(T(0), min(T(1), select(side, T(height), rho)))};
+}
+
+/// Around two discs across one axis, and what may have been rounded off a point at their planes.
+template <real T>
+RAIO_FN constexpr aabb<T> axial_bounds(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
+    vec3<T> axis = top - base, rounding(norm1(axis) * T(unit_roundoff<T>));
+    vec3<T> low = disc_reach(axis, radii.x) + rounding, high = disc_reach(axis, radii.y) + rounding;
+    return padded(hull(aabb<T>{base - low, base + low}, aabb<T>{top - high, top + high}));
+}
+
+}  // namespace raio::detail

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <raio/proof/settle.hpp>
+
+/// \file
+/// What a triangle and a parallelogram have in common: a corner and two edges.
+///
+/// Moeller and Trumbore (1997): the point origin + t direction = corner + u e1 + v e2 is three linear equations for t,
+/// u and v. By Cramer's rule, with s = origin - corner, p = direction x e2, q = s x e1,
+///
+///     det = e1.p,   u = s.p / det,   v = direction.q / det,   t = e2.q / det.
+///
+/// All signs are turned with that of det, and nothing is divided before it is known that the crossing counts.
+
+namespace raio {
+
+/// Where a line crosses the plane of two edges, and how far along them: u and v are u / size and v / size of the edges.
+template <class W>
+struct edge_crossing {
+    crossing<W> at;
+    W size, u, v;
+    bound_t<W> size_error, u_error, v_error;
+};
+
+/// Bounds of the terms of det, and of u and v before they are divided by it.
+template <class W>
+struct edge_terms {
+    bound_t<W> size, u, v;
+};
+
+template <class W>
+RAIO_FN constexpr edge_terms<W> terms_of_edges(const vec3<W>& e1, const vec3<W>& e2, const vec3<W>& s,
+                                               const vec3<W>& direction) {
+    using E = bound_t<W>;
+    if constexpr (last_precision<W>) {
+        return {triple_product_bound(e1, direction, e2), triple_product_bound(s, direction, e2),
+                triple_product_bound(s, direction, e1)};
+    } else {  // the same, of the sizes of the vectors: where p or q is out of range these are as well
+        E e1_size = norm1(vec3<E>(e1)), speed = norm1(vec3<E>(direction)), s_size = norm1(vec3<E>(s));
+        E p_size = with_underflow<W>(speed * norm1(vec3<E>(e2))), q_size = with_underflow<W>(s_size * e1_size);
+        return {with_underflow<W>(p_size * e1_size), with_underflow<W>(p_size * s_size),
+                with_underflow<W>(q_size * speed)};
+    }
+}
+
+/// \param inside  how far inside the shape a crossing is, of `size`, u and v: the least of u, v and what is left of
+///                `size` beside them, or beside one of them; negative outside
+/// \param wanted  which crossings are. A line without any is asked no further
+template <class W, real R, class Inside, class Wanted = every_crossing>
+RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3<W>& e1, const vec3<W>& e2,
+                                               const ray<R>& ray, Inside inside, const Wanted& wanted = {}) {
+    using E = bound_t<W>;
+    vec3<W> direction(ray.direction), s = difference_as<W>(ray.origin, corner);
+    vec3<W> p = cross(direction, e2), q = cross(s, e1);
+    W det = dot(e1, p), size = abs(det);
+    W u = flip(dot(s, p), det), v = flip(dot(direction, q), det), way = flip(dot(e2, q), det);
+    W within = inside(size, u, v);
+
+    // A triple product of vectors that are off by a rounding each is off by less than 8 roundings of its terms.
+    auto [size_terms, u_terms, v_terms] = terms_of_edges(e1, e2, s, direction);
+    E k(8 * unit_roundoff<W>), size_error = k * size_terms, u_error = k * u_terms, v_error = k * v_terms;
+    E error = k * (size_terms + u_terms + v_terms), way_error = k * closest_triple_product_bound(e2, s, e1);
+
+    const mask_t<W> crosses = size > E(2) * size_error, outside = within < -error;
+    if constexpr (!std::same_as<Wanted, known_crossing>) {
+        if (all(every(crosses, some(outside, is_unwanted(wanted, way, way_error, size, size_error))))) {
+            const mask_t<W> no = size < W(0);
+            const crossing<W> none{no, !no, W(0), E(0), no, {}, W(0), W(0), no, true};
+            return {none, size, u, v, size_error, u_error, v_error};
+        }
+    }
+    W over_size = quotient(W(1), size, W(0)), t = way * over_size;
+    E t_error = E(2) * (way_error + abs(E(t)) * size_error) * E(over_size) + E(4 * unit_roundoff<W>) * abs(E(t));
+    if constexpr (only_sieves<W>) {
+        // One number knows less of the error of the way, and records what it knows. Where that is more than `retrieved`
+        // takes for nothing, which is a 64th of t here, a 16th is said: the lane is asked alone if it is hit, and t
+        // keeps its sign.
+        E looser = E(2) * k * triple_product_bound(e2, s, e1) * E(over_size);
+        t_error = max(t_error, min(looser, abs(E(t)) * E(0x1p-4)));
+    }
+    mask_t<W> meets = every(size > tie<W>(size_error), within >= -tie<W>(error));
+    // A tie at a corner is much closer than the error of the far edge; and none is farther outside than 2^-30 of an
+    // edge, for which the bounds of floats have room (2^-29 of a coordinate), nor t from u and v, however little is
+    // known of a sliver.
+    if constexpr (last_precision<W>) {
+        vec3<W> apart = s + direction * t - (e1 * (u * over_size) + e2 * (v * over_size));
+        E room = E(0x1p-30) * (norm1(vec3<E>(e1)) + norm1(vec3<E>(e2)));
+        meets = every(meets, u >= -u_error, v >= -v_error, within >= W(-0x1p-30) * size, norm1(vec3<E>(apart)) <= room);
+    }
+    crossing<W> c{.exists = meets,
+                  .certain = every(crosses, some(outside, within > error)),
+                  .t = t,
+                  .error = t_error,
+                  .entering = det > W(0),
+                  .u = u * over_size,
+                  .v = v * over_size};
+    return {c, size, u, v, size_error, u_error, v_error};
+}
+
+/// What is missing of a crossing: t, u and v are that of the small vector `apart` from the point of the surface that it
+/// names to that of the ray.
+/// \param e1, e2  the edges of the surface there
+template <class W>
+RAIO_FN constexpr edge_crossing<W> cross_apart(const vec3<W>& apart, const vec3<W>& e1, const vec3<W>& e2,
+                                               const vec3<W>& direction) {
+    vec3<W> zero(W(0));
+    return cross_edges(zero, e1, e2, ray<W>{apart, direction},
+                       [](const W&, const W&, const W&) { return infinity<W>; });
+}
+
+/// How much more t is off if `apart` is off by this much: t is apart.(e1 x e2) / det. Products too small for their
+/// digits are taken care of.
+template <class W>
+RAIO_FN constexpr bound_t<W> error_of_apart(const bound_t<W>& error, const edge_crossing<W>& missing, const vec3<W>& e1,
+                                            const vec3<W>& e2) {
+    using E = bound_t<W>;
+    E length2 = norm1(vec3<E>(e2));
+    E lost = error * norm1(vec3<E>(e1)) * length2 + E(least_normal<W>) * (E(1) + length2);
+    return E(2) * quotient(lost, E(missing.size), E(0));
+}
+
+/// What is missing of a crossing with a flat shape.
+template <class X, class W, real T>
+RAIO_FN constexpr crossing<W> correct_edges(const vec3<T>& corner, const vec3<X>& e1, const vec3<X>& e2,
+                                            const nearby_ray<X, W>& ray, const crossing<W>& c) {
+    using E = bound_t<X>;
+    auto [p, p_error] = ray.seen_from(corner);
+    vec3<X> along1 = e1 * X(c.u), along2 = e2 * X(c.v), apart = p - (along1 + along2);
+    vec3<W> edge1(e1), edge2(e2);
+    edge_crossing<W> missing = cross_apart(vec3<W>(apart), edge1, edge2, ray.direction);
+    E lengths = norm1(vec3<E>(p)) + norm1(vec3<E>(along1)) + norm1(vec3<E>(along2));
+    missing.at.error += error_of_apart(p_error + E(8 * unit_roundoff<X>) * lengths, missing, edge1, edge2);
+    return missing.at;
+}
+
+/// Records the crossing with a flat shape that has such edges.
+template <class W, real R, real T, real N>
+RAIO_FN constexpr void record_flat(const aabb<T>& corners, const vec3<W>& e1, const vec3<W>& e2, const ray<R>& ray,
+                                   const crossing<W>& at, hit_record<T, N>& rec) {
+    vec3<W> normal = cross(scaled_into_range<T>(e1), scaled_into_range<T>(e2));
+    vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));
+    record_point_between(corners, ray, at, rec);
+    rec.normal = outward * choose(at.entering, N(1), N(-1));
+}
+
+}  // namespace raio

@@ -1,0 +1,237 @@
+#pragma once
+
+#include <raio/math/interval.hpp>
+#include <raio/ray.hpp>
+
+/// \file
+/// Where a ray's line crosses a surface, and how sure that is.
+///
+/// A shape writes its formula once, for a number type W, and says with each crossing how large the rounding errors of W
+/// can have become: proof/settle.hpp makes an answer of that. The ray's numbers are the shape's, or have more digits:
+/// those of a ray that was mapped.
+///
+/// The local variables of class type here and in the shapes are not const: GCC keeps a const aggregate in memory, where
+/// every step waits for the one before to be stored.
+
+namespace raio {
+
+/// What a comparison has to forgive. The last of several precisions takes what it cannot tell from a tie for one:
+/// edges, rims and tangents belong to the shape. A number type that stands alone compares what it has computed.
+template <real W>
+RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error) {
+    if constexpr (last_precision<W>) {
+        return error;
+    } else {
+        return bound_t<W>(0);
+    }
+}
+
+/// The same where an error has no limit, as that of where a line meets a plane in which it all but lies: what differs
+/// by more than a millionth of `size` is no tie, however little is known of it.
+template <real W>
+RAIO_FN constexpr bound_t<W> tie(const bound_t<W>& error, [[maybe_unused]] const bound_t<W>& size) {
+    if constexpr (last_precision<W>) {
+        return min(error, bound_t<W>(0x1p-20) * size);
+    } else {
+        return tie<W>(error);
+    }
+}
+
+/// A bound, and what may have been lost besides where small floats lose their digits. What is computed in double does
+/// not come near its own smallest numbers, but in planes and polynomials, which ask nothing of sizes and say so
+/// themselves.
+template <real W>
+RAIO_FN constexpr bound_t<W> with_underflow(const bound_t<W>& error) {
+    if constexpr (std::same_as<scalar_t<W>, float>) {
+        return error + bound_t<W>(least_normal<W>);
+    } else {
+        return error;
+    }
+}
+
+/// A number and how far it may be off.
+template <class W>
+struct bounded_number {
+    W value;
+    bound_t<W> error;
+};
+
+/// A bound for the terms of a.(b x c), whose rounding errors are a few times that much of a roundoff: cheap where a
+/// closer look can follow, and as tight as it gets where it decides.
+template <class W>
+RAIO_FN constexpr bound_t<W> triple_product_bound(const vec3<W>& a, const vec3<W>& b, const vec3<W>& c) {
+    using E = bound_t<W>;
+    if constexpr (!std::same_as<W, E>) {
+        return permanent(vec3<E>(a), vec3<E>(b), vec3<E>(c));
+    } else {
+        return with_underflow<W>(norm1(a) * with_underflow<W>(norm1(b) * norm1(c)));
+    }
+}
+
+/// The same bound for what is near zero where rays start on the surface: packs that sieve take it as tight as it gets,
+/// or all that start there would have to be asked for again.
+template <class W>
+RAIO_FN constexpr bound_t<W> closest_triple_product_bound(const vec3<W>& a, const vec3<W>& b, const vec3<W>& c) {
+    if constexpr (!only_sieves<W>) {
+        return triple_product_bound(a, b, c);
+    } else {
+        // What small floats lose of b x c counts |a| times. It is added as the larger of that and what is lost once,
+        // twice: a product with a small |a| would be subnormal, which costs a trap.
+        return permanent(a, b, c) + with_underflow<W>(W(0)) * (W(2) * max(W(1), norm1(a)));
+    }
+}
+
+/// The only crossing there is, which is known to exist, and to be wanted.
+struct known_crossing {};
+
+/// One crossing of the line `origin + t * direction` with a surface, in the precision of W. No member is a vector:
+/// GLM's are unions unless it is told otherwise, and GCC keeps an aggregate with a union in memory.
+template <class W>
+struct crossing {
+    mask_t<W> exists;      ///< does the line cross the surface?
+    mask_t<W> certain;     ///< is `exists` right whatever the rounding errors were?
+    W t;                   ///< ray parameter
+    bound_t<W> error;      ///< bound of |t - exact t|
+    mask_t<W> entering;    ///< does the line come from the outside here?
+    index_t<W> face = {};  ///< which face of the shape, as the shape counts them
+    W u = W(0), v = W(0);  ///< where on it, if the shape finds that on the way
+    mask_t<W> shared{};    ///< may it be another face that is crossed there?
+    bool missed = false;   ///< is nothing left to find out: does every lane's line miss, beyond doubt?
+};
+
+/// May the line start on the surface?
+template <class W>
+RAIO_FN constexpr mask_t<W> touches_origin(const crossing<W>& c) {
+    return abs(bound_t<W>(c.t)) <= c.error;
+}
+
+/// Where the line starts on the surface, what cannot be told from t = 0 is there.
+template <class W>
+RAIO_FN constexpr void start_at_origin(crossing<W>& c, const mask_t<W>& starts) {
+    const mask_t<W> there = every(starts, touches_origin(c));
+    c.error = select(there, c.error + abs(bound_t<W>(c.t)), c.error);
+    c.t = select(there, W(0), c.t);
+}
+
+/// All crossings of a line are wanted.
+struct every_crossing {};
+
+/// Only the first crossing in [t_min, t_max] is wanted. Those that are before that need not be found, nor those after
+/// the first that is not.
+template <real T>
+struct first_from {
+    T t_min, t_max;
+    bool roughly;  ///< is it enough to know whether it is in there?
+};
+
+/// Is the crossing at t = way / size out of the window, whatever the rounding errors were? Nothing is divided to find
+/// out. Only a window of W's own says so: t is not rounded any further before it counts.
+template <class W, class Wanted>
+RAIO_FN constexpr mask_t<W> is_unwanted([[maybe_unused]] const Wanted& wanted, [[maybe_unused]] const W& way,
+                                        [[maybe_unused]] const bound_t<W>& way_error, const W& size,
+                                        [[maybe_unused]] const bound_t<W>& size_error) {
+    if constexpr (std::same_as<Wanted, first_from<W>>) {
+        using E = bound_t<W>;
+        // Twice the errors, for the roundings here and that of t; and a t that is too small for any number counts as 0.
+        // That margin is no factor of a product: with a small size it would be subnormal, which costs a trap.
+        E least = E(least_normal<W>) * max(E(1), E(size)), begin(wanted.t_min), end(wanted.t_max);
+        E of_way = E(2) * way_error + least, of_size = E(2) * size_error;
+        E earliest = E(way) - of_way, latest = E(way) + of_way;
+        return some(latest < begin * (E(size) - flip(of_size, begin)), end * (E(size) + flip(of_size, end)) < earliest);
+    } else {
+        return size != size;
+    }
+}
+
+template <class Mask, class W>
+RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const crossing<W>& b) {
+    const auto either = [&](const Mask& x, const Mask& y) { return some(every(mask, x), every(!mask, y)); };
+    return {either(a.exists, b.exists),     either(a.certain, b.certain),   select(mask, a.t, b.t),
+            select(mask, a.error, b.error), either(a.entering, b.entering), select(mask, a.face, b.face),
+            select(mask, a.u, b.u),         select(mask, a.v, b.v),         either(a.shared, b.shared)};
+}
+
+/// How fast a function changes along the line.
+template <class W>
+struct slope_along {
+    using E = bound_t<W>;
+
+    W value;
+    E error;                    ///< how far it may be from that anywhere on the way to where the function is zero
+    W inverse;                  ///< 0 where there is no slope
+    mask_t<W> exists, certain;  ///< is there a slope, and is that right whatever the rounding errors were?
+
+    /// Where the function is zero that has this value at t = 0: at t = -value / slope. With the slope above twice its
+    /// error, 1 / (|slope| - error) is at most 2 / |slope|.
+    RAIO_FN constexpr bounded_number<W> zero_of(const W& at_0, const E& at_0_error) const {
+        W t = -at_0 * inverse;
+        E size = abs(E(t)), of_both = E(2) * (at_0_error + size * error) * abs(E(inverse));
+        bounded_number<W> zero{t, with_underflow<W>(of_both + E(4 * unit_roundoff<W>) * size)};
+        if constexpr (last_precision<W>) {
+            // Farther away than any number it is infinitely far, and in that direction beyond doubt.
+            const mask_t<W> beyond = every(!is_finite(size), abs(E(at_0)) > at_0_error);
+            zero.value = select(beyond, W(-E(at_0) * E(inverse)), t);
+            zero.error = select(beyond, E(0), zero.error);
+        }
+        return zero;
+    }
+};
+
+template <real W>
+RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& error) {
+    using E = bound_t<W>;
+    E size = abs(E(slope));
+    // No slope at all is certain, unless products were lost whole, which only who multiplied can say (`speed_across`);
+    // one that is too small for its digits, or is not in the range, is not. Three products may have lost half of the
+    // smallest number each: less than a rounding of this.
+    const E least(last_precision<W> ? 0.0 : 4 * least_normal<W>);
+    W inverse = quotient(W(1), slope, W(0));
+    mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= least);
+    // The last precision has no t for a slope that has no inverse, or is within twice its error: it runs parallel.
+    if constexpr (last_precision<W>) in_range = every(in_range, is_finite(E(inverse)));
+    return {slope, error, inverse, every(size > tie<W>(E(2) * error), in_range),
+            every(size >= E(2) * error, in_range, has_digits)};
+}
+
+/// Where a function is zero that has this value at t = 0 and, all the way to there, this slope: one step of Newton's
+/// method.
+template <real W>
+RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value_error, const slope_along<W>& slope) {
+    bounded_number<W> t = slope.zero_of(value, value_error);
+    return {.exists = slope.exists,
+            .certain = slope.certain,
+            .t = t.value,
+            .error = t.error,
+            .entering = slope.value < W(0)};
+}
+
+/// The point at t, as seen from another.
+template <class W, real R, real T>
+RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, const W& t) {
+    return difference_as<W>(ray.origin, base) + product_as<W>(ray.direction, t);
+}
+
+/// Is every lane out, so that the rest of a formula may be left? What a sieve has let through is not asked: it hardly
+/// ever is.
+template <class W>
+RAIO_FN constexpr bool may_leave([[maybe_unused]] const mask_t<W>& out) {
+    if constexpr (looks_closer<W>) {
+        return false;
+    } else {
+        return all(out);
+    }
+}
+
+/// Keeps only crossings whose point T can say: those of a shape without end may lie beyond its largest number.
+template <real T, real R, class W>
+RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, crossing<W>& c) {
+    vec3<bound_t<W>> origin(vec3<W>(ray.origin)), direction(vec3<W>(ray.direction));
+    bound_t<W> farthest = norm1(origin) + norm1(direction) * abs(bound_t<W>(c.t));
+    const bound_t<W> most(std::numeric_limits<scalar_t<T>>::max() / 2);
+    if constexpr (std::same_as<W, T>) {  // whoever takes a closer look decides so close to the end of the range
+        c.certain = every(c.certain, some(!c.exists, farthest + norm1(direction) * c.error < most / bound_t<W>(2)));
+    }
+    c.exists = every(c.exists, farthest < most);
+}
+
+}  // namespace raio

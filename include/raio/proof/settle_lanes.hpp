@@ -1,0 +1,236 @@
+#pragma once
+
+#include <raio/proof/lanes.hpp>
+#include <raio/proof/record.hpp>
+#include <raio/proof/refine.hpp>
+#include <raio/proof/window.hpp>
+
+/// \file
+/// How packs are settled: in each lane as the plain number there, bit for bit.
+///
+/// The formula in the pack's own precision is a sieve. Its crossings state their errors, so of most lanes it is known
+/// whether they are hit, and where about. What is recorded of those that are is found operation by operation as that of
+/// a plain number: of floats in packs of strict_double, of doubles with two of those, which refine what one has found.
+/// Whatever is open after that is asked of the plain shape in its lane.
+
+namespace raio {
+
+namespace detail {
+
+/// What a pack knows of the crossings in its lanes: those in `sure` lie in [low, high], and that in the window; those
+/// in `open` may do anything.
+template <class T>
+struct sifted {
+    mask_t<T> sure, open;
+    T low, high;
+    mask_t<T> at_near{true};   ///< of the two of a chord, is it the near one?
+    mask_t<T> in_first{true};  ///< of two chords, is it of the first?
+};
+
+/// Between which numbers the exact t comes to lie once it is rounded to T, and where that is.
+template <class T, class W>
+struct rounded_crossing {
+    T low, high;
+    mask_t<T> inside, beyond;  ///< known to be in the window, or beyond it
+    mask_t<T> passed;          ///< known to be before it, or not at all
+
+    RAIO_FN rounded_crossing(const crossing<W>& c, const T& t_min, const T& t_max) {
+        const mask_t<T> certain = c.certain, exists = c.exists;
+        mask_t<T> known = every(certain, exists);
+        bound_t<W> error = c.error;
+        // The bounds of floats count what is lost near their smallest number. Of doubles only t comes near theirs, or
+        // near the largest, where two doubles have no products.
+        if constexpr (!std::same_as<scalar_t<W>, float>) {
+            error += bound_t<W>(least_normal<W>);
+            known = every(known, mask_t<T>(abs(c.t) < W(0.25 * std::numeric_limits<double>::max())));
+        }
+        low = T(c.t - error), high = T(c.t + error);
+        inside = every(known, t_min <= low, high <= t_max);
+        beyond = every(known, t_max < low);
+        passed = some(every(known, high < t_min), every(certain, !exists));
+    }
+};
+
+/// The same of a chord: of its near end or, where that is passed, of the far one. (That of a tube without caps may have
+/// a far end only.)
+template <class T, class W>
+struct rounded_chord {
+    T low, high;
+    mask_t<T> inside, beyond, passed, at_near;
+
+    RAIO_FN rounded_chord(const chord<W>& c, const T& t_min, const T& t_max) {
+        const rounded_crossing<T, W> near(c.near, t_min, t_max), far(c.far, t_min, t_max);
+        inside = some(near.inside, every(near.passed, far.inside));
+        beyond = some(near.beyond, every(near.passed, far.beyond));
+        passed = every(near.passed, far.passed);
+        at_near = every(c.near.exists, t_min <= near.low);
+        low = select(at_near, near.low, far.low), high = select(at_near, near.high, far.high);
+    }
+};
+
+template <class T, class W>
+RAIO_FN sifted<T> sift(const crossing<W>& c, const T& t_min, const T& t_max) {
+    if (c.missed) return {false, false, T(0), T(0)};
+    const rounded_crossing<T, W> is(c, t_min, t_max);
+    return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high};
+}
+template <class T, class W>
+RAIO_FN sifted<T> sift(const chord<W>& c, const T& t_min, const T& t_max) {
+    if (missed(c)) return {false, false, T(0), T(0)};
+    const rounded_chord<T, W> is(c, t_min, t_max);
+    return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high, is.at_near};
+}
+template <class T, class W>
+RAIO_FN sifted<T> sift(const chord_pair<W>& c, const T& t_min, const T& t_max) {
+    if (missed(c)) return {false, false, T(0), T(0)};
+    const rounded_chord<T, W> first(c.first, t_min, t_max), second(c.second, t_min, t_max);
+    const mask_t<T> sure = some(first.inside, every(first.passed, second.inside)), in_first = !first.passed;
+    const mask_t<T> out = some(first.beyond, every(first.passed, some(second.beyond, second.passed)));
+    const mask_t<T> at_near = some(every(in_first, first.at_near), every(first.passed, second.at_near));
+    return {
+        sure,    !some(sure, out), select(in_first, first.low, second.low), select(in_first, first.high, second.high),
+        at_near, in_first};
+}
+
+/// The crossings that a sieve is sure of, in a wider precision: beyond doubt where they exist.
+///
+/// Where a formula finds one crossing, its error bound is the roundoff times what is the same in every precision, but
+/// for the roundings of the bound itself: that of W is taken from the sieve's, with a factor of 16 to spare, and not
+/// reckoned again (high - low is more than the error, whatever their roundings). Where `record_point` would see the
+/// difference, the lane is left open.
+template <question Asked, class T, class W>
+RAIO_FN crossing<W> retrieved(const sifted<T>& found, crossing<W> c, const T&) {
+    if constexpr (Asked == question::only_where) {
+        c.exists = every(rounds_to_one<T>(c), is_finite(T(c.t)));
+    } else {
+        constexpr double share = 16 * unit_roundoff<W> / unit_roundoff<T>;
+        const T error = (found.high - found.low) * T(share);
+        c.error = bound_t<W>(error);
+        c.exists = every(found.sure, rounds_to_one<T>(c), error <= least_recorded_error(T(c.t)));
+    }
+    return c;
+}
+template <question Asked, class T, class W>
+RAIO_FN crossing<W> retrieved(const sifted<T>& found, const chord<W>& c, const T& t_min) {
+    crossing<W> one = select(found.at_near, c.near, c.far);
+    const T t(one.t), near_high(c.near.t + c.near.error);
+    const mask_t<T> same =
+        every(found.low <= t, t <= found.high);  // or one precision took another end for the near one
+    // The sieve may know better where a ray starts on the surface than one number does, which asks again then.
+    const mask_t<T> passed = every(c.near.certain, some(!c.near.exists, near_high < t_min));
+    one.exists = every(found.sure, one.exists, one.certain, rounds_to_one<T>(one), same, some(found.at_near, passed));
+    return one;
+}
+
+/// Is the formula of the shape one for many lanes at once?
+template <class Shape, class T>
+concept sifts = requires(const Shape shape, const ray<T> ray, const T t) {
+    sift(shape.template crossings<T>(ray), t, t);
+};
+
+/// What the pack's own precision makes of it, with ends of the window that are numbers.
+template <question Asked, class Shape, class T>
+RAIO_FN sifted<T> sieve(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max) {
+    using found = decltype(crossings_for<T, Asked>(shape, ray, t_min, t_max));
+    if constexpr (Asked == question::only_where && std::same_as<found, crossing<T>>) {
+        return {true, false, t_min, t_max};
+    } else {
+        return sift(crossings_for<T, Asked>(shape, ray, t_min, t_max), t_min, t_max);
+    }
+}
+
+/// Those that the sieve has found, in the precision of W.
+template <class W, class Shape, class T>
+RAIO_FN auto crossings_again(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max,
+                             const sifted<T>& found) {
+    if constexpr (requires { shape.template crossings<W>(ray).second; }) {
+        return shape.template crossings<W>(ray, known_chord<mask_t<T>>{found.in_first});
+    } else {
+        return crossings_for<W, question::only_where>(shape, ray, t_min, t_max);
+    }
+}
+
+/// Is there a wider precision for those that the sieve has found?
+template <class Shape, class T>
+concept looked_at_again = unit_roundoff<working_t<T>> < unit_roundoff<T> || always_refined<Shape, T>;
+
+/// Those that the sieve has found, where they are beyond doubt.
+template <question Asked, class Shape, class T>
+RAIO_FN auto look_again(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max, const sifted<T>& found) {
+    using W = working_t<T>;
+    if constexpr (always_refined<Shape, T>) {
+        // Which of several it is has to be found out as by one number, or another might be refined.
+        auto quick = crossings_for<W, question::where>(shape, ray, t_min, t_max);
+        auto first = settled_in_window<question::whether>(quick, t_min, t_max).first;
+        auto fine = refined<exact_t<T>>(shape, ray, first);
+        fine.exists = every(found.sure, refinable(first), is_settled(fine, t_min, t_max));
+        return fine;
+    } else {
+        return retrieved<Asked>(found, crossings_again<W>(shape, ray, t_min, t_max, found), t_min);
+    }
+}
+
+/// An end of a window that may be infinite: what is at infinity is missed.
+template <class T>
+RAIO_FN T within_numbers(const T& end) {
+    const T most(std::numeric_limits<scalar_t<T>>::max());
+    return max(min(end, most), -most);
+}
+
+}  // namespace detail
+
+/// `occluded` of every shape of packs.
+template <detail::has_lanes T, class Shape, real R>
+RAIO_FLATTEN RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
+    if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
+        t_min = detail::within_numbers(t_min), t_max = detail::within_numbers(t_max);
+        const auto found =
+            detail::sift(detail::crossings_for<T, detail::question::whether>(shape, ray, t_min, t_max), t_min, t_max);
+        const std::uint32_t open = bits(found.open);
+        if (open == 0) [[likely]]
+            return found.sure;
+        return some(found.sure, detail::any_hit_in_lanes(shape, ray, t_min, t_max, open));
+    } else {
+        return detail::any_hit_in_lanes(shape, ray, t_min, t_max);
+    }
+}
+
+/// `hit` of every shape of packs.
+/// \tparam Asked  `only_where` if there is a crossing beyond doubt in every lane
+template <detail::question Asked = detail::question::where, detail::has_lanes T, class Shape, real R, real N>
+RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
+                                         hit_record<T, N>& rec) {
+    hit_record<T, N> candidate;
+    mask_t<T> met(false);
+    std::uint32_t left = detail::every_lane<T>;  // who has not been answered
+    if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
+        detail::sifted<T> found =
+            detail::sieve<Asked>(shape, ray, detail::within_numbers(t_min), detail::within_numbers(t_max));
+        const std::uint32_t sure = bits(found.sure);
+        left = sure | bits(found.open);
+        if (left == 0) return false;
+        if constexpr (detail::looked_at_again<Shape, T>) {
+            if (sure != 0) [[likely]] {
+                detail::keep_as_stored<T>(shape, ray);
+                auto first = detail::look_again<Asked>(shape, ray, t_min, t_max, found);
+                met = first.exists;
+                left &= ~bits(met);
+                detail::record(shape, ray, first, candidate);
+            }
+        }
+    }
+    if (left != 0) [[unlikely]] {
+        hit_record<T, N> of_lanes = candidate;
+        met = some(met, detail::first_hit_in_lanes(shape, ray, t_min, t_max, of_lanes, left));
+        candidate = of_lanes;
+    }
+    assign(met, rec, candidate);
+    return met;
+}
+
+/// Where the lines of packs are inside a convex solid. (There is room for one span in each lane.)
+template <class Shape, detail::has_lanes R>
+requires requires(const Shape shape, const ray<R> ray) { shape.template crossings<R>(ray).near; }
+RAIO_FN auto inside_of(const Shape& shape, const ray<R>& ray) { return detail::spans_in_lanes(shape, ray); }
+
+}  // namespace raio

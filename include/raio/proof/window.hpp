@@ -1,0 +1,124 @@
+#pragma once
+
+#include <raio/proof/chord.hpp>
+
+/// \file
+/// Which crossings count: those with t in the closed window [t_min, t_max] that is asked for.
+
+namespace raio::detail {
+
+/// An end of a window of T, so far out that no exact t from beyond is rounded into the window.
+/// \param sign  -1 for the lower end, 1 for the upper one
+template <class W, real T>
+RAIO_FN constexpr W widened(const T& end, double sign) {
+    if (!is_finite(end)) return W(end);
+    return W(end) + W(sign) * (abs(W(end)) * W(2 * unit_roundoff<T>) + W(least_normal<T>));
+}
+
+/// Is the crossing in [t_min, t_max], once it is rounded to T?
+template <real T, class W>
+RAIO_FN constexpr mask_t<T> in_window(const crossing<W>& c, T t_min, T t_max) {
+    const T t = T(c.t);
+    return every(c.exists, t_min <= t, t <= t_max, is_finite(t));
+}
+
+/// The first crossing in the window as W finds it; `exists` says whether there is one.
+template <real T, class W>
+RAIO_FN constexpr crossing<W> first_in_window(crossing<W> c, T t_min, T t_max) {
+    c.exists = in_window(c, t_min, t_max);
+    return c;
+}
+template <real T, class W>
+RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_max) {
+    crossing<W> near = first_in_window(c.near, t_min, t_max);
+    return select(near.exists, near, first_in_window(c.far, t_min, t_max));
+}
+template <real T, class W>
+RAIO_FN constexpr crossing<W> first_in_window(const chord_pair<W>& c, T t_min, T t_max) {
+    crossing<W> first = first_in_window(c.first, t_min, t_max);
+    return select(first.exists, first, first_in_window(c.second, t_min, t_max));
+}
+
+/// What is asked of the first crossing: only whether there is one, or also where; or only where, if there is one beyond
+/// doubt.
+enum class question { whether, where, only_where };
+
+/// A shape that has less to do for a crossing that is known to exist, and to be wanted.
+template <class Shape, class W, class R>
+concept finds_known_crossing = requires(const Shape& shape, const ray<R>& ray) {
+    { shape.template crossings<W>(ray, known_crossing{}) } -> std::same_as<crossing<W>>;
+};
+
+/// The crossings of a shape; of one that can find less with less work only what the question wants to know.
+template <class W, question Asked, class Shape, real R, real T>
+RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
+    if constexpr (Asked == question::only_where && finds_known_crossing<Shape, W, R>) {
+        return shape.template crossings<W>(ray, known_crossing{});
+    } else if constexpr (requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
+        return shape.template crossings<W>(ray, first_from<T>{t_min, t_max, Asked == question::whether});
+    } else {
+        return shape.template crossings<W>(ray);
+    }
+}
+
+/// The first crossing that may be in the window as W finds it, and whether exact arithmetic is known to say the same:
+/// the crossing is certain, wherever in its error t is, it lies inside the window, or outside; and if t is asked for,
+/// both ends of the error round to the same.
+template <class W>
+struct verdict {
+    crossing<W> first;
+    mask_t<W> known;
+};
+
+/// Is t certain to the last bit of T: do both ends of its error round to the same?
+template <real T, class W>
+RAIO_FN constexpr mask_t<T> rounds_to_one(const crossing<W>& c) {
+    return T(sum_as<W>(-c.error, c.t)) == T(sum_as<W>(c.error, c.t));
+}
+
+/// Is a refined crossing beyond doubt: inside the window, and to the last bit of T?
+template <real T, class X>
+RAIO_FN constexpr mask_t<T> is_settled(const crossing<X>& fine, T t_min, T t_max) {
+    return fine.certain && rounds_to_one<T>(fine) && in_window(fine, t_min, t_max);
+}
+
+template <question Asked, real T, class W>
+RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
+    if constexpr (Asked == question::only_where) {
+        c.exists = true;
+        return {c, every(rounds_to_one<T>(c), is_finite(T(c.t)))};
+    }
+    if (none(c.exists)) return {c, c.certain};
+    const T low = T(c.t - c.error), high = T(c.t + c.error);
+    const mask_t<T> inside =
+        every(t_min <= low, high <= t_max, is_finite(high), mask_t<T>(Asked == question::whether) || low == high);
+    const mask_t<W> outside = some(high < t_min, t_max < low), missed = !c.exists;
+    c.exists = every(c.exists, !outside);
+    return {c, every(c.certain, some(missed, inside, outside))};
+}
+
+/// The verdict on the first of several crossings, or, where that is passed, on those that come next.
+template <class W, class Next>
+RAIO_FN constexpr verdict<W> or_next(const verdict<W>& found, Next next) {
+    const mask_t<W> passed = every(found.known, !found.first.exists);
+    if (none(passed)) return found;
+    const verdict<W> later = next();
+    return {select(passed, later.first, found.first), some(every(passed, later.known), every(found.known, !passed))};
+}
+
+/// Of several crossings it has to be found out which one it is.
+template <question Asked>
+inline constexpr question which_one = Asked == question::whether ? Asked : question::where;
+
+template <question Asked, real T, class W>
+RAIO_FN constexpr verdict<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
+    return or_next(settled_in_window<which_one<Asked>>(c.near, t_min, t_max),
+                   [&] { return settled_in_window<which_one<Asked>>(c.far, t_min, t_max); });
+}
+template <question Asked, real T, class W>
+RAIO_FN constexpr verdict<W> settled_in_window(const chord_pair<W>& c, T t_min, T t_max) {
+    return or_next(settled_in_window<Asked>(c.first, t_min, t_max),
+                   [&] { return settled_in_window<Asked>(c.second, t_min, t_max); });
+}
+
+}  // namespace raio::detail

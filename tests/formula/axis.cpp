@@ -1,0 +1,94 @@
+#include <raio/formula/axis.hpp>
+
+#include <doctest/doctest.h>
+
+namespace raio::test {
+
+using W = strict_double;
+using X = double_double;
+
+namespace {
+
+/// Between the planes at heights 0 and 2 along an axis of length 2, from a height of that.
+template <class N>
+chord<N> slab(double height, double down, double error = 0) {
+    return detail::cross_slab(vec3<N>(N(0), N(0), N(2)), {N(2 * height), error}, {N(2 * height - 4), error},
+                              vec3<N>(N(1), N(0), N(-down)));
+}
+
+/// Below the plane at height 2, across which the axis has the length 2.
+template <class N>
+chord<N> below(double height, double down) {
+    const vec3<double> vertex(0, 0, 0), top(0, 0, 2);
+    return detail::cross_upper_plane<N>(vertex, top, ray<double>{{0, 0, height}, {1, 0, -down}});
+}
+
+bool sure_of(const chord<W>& c, bool exists) {
+    return c.near.certain && c.far.certain && c.near.exists == exists && c.far.exists == exists;
+}
+
+}  // namespace
+
+TEST_CASE("axial_crossing: a slab is entered by the one plane and left by the other") {
+    const chord<W> down = slab<W>(4, 1), up = slab<W>(-4, -0.5);
+    CHECK((sure_of(down, true) && sure_of(up, true)));
+    CHECK((down.near.t == W(2) && down.far.t == W(4) && down.near.face == 2 && down.far.face == 1));
+    CHECK((up.near.t == W(8) && up.far.t == W(12) && up.near.face == 1 && up.far.face == 2));
+    CHECK((down.near.entering && !down.far.entering && up.near.entering && !up.far.entering));
+}
+
+TEST_CASE("axial_crossing: parallel to the planes it is known which of them are beyond, or all is asked again") {
+    for (const double height : {-1.0, 3.0}) CHECK(sure_of(slab<W>(height, 0, 0.5), false));
+    for (const double height : {0.25, 1.0, 1.75}) {
+        CHECK(sure_of(slab<W>(height, 0, 0.25), true));
+        CHECK((slab<W>(height, 0).near.t == W(-INFINITY) && slab<W>(height, 0).far.t == W(INFINITY)));
+    }
+    for (const double height : {-0.125, 0.0, 0.125, 1.875, 2.0, 2.125}) {
+        const chord<W> open = slab<W>(height, 0, 0.5);
+        CHECK((!open.near.certain && !open.far.certain));
+        const chord<X> last = slab<X>(height, 0, 0.5);
+        CHECK((last.near.exists && last.far.exists));
+    }
+    // A number that stands alone takes the planes themselves for between.
+    for (const double height : {0.0, 2.0}) CHECK(slab<double>(height, 0).near.exists);
+}
+
+TEST_CASE("axial_crossing: below a plane a line begins or ends, or is at no end") {
+    CHECK((sure_of(below<W>(4, 1), true) && below<W>(4, 1).near.t == W(2) && below<W>(4, 1).far.t == W(INFINITY)));
+    CHECK((sure_of(below<W>(4, -1), true) && below<W>(4, -1).near.t == W(-INFINITY) && below<W>(4, -1).far.t == W(-2)));
+    CHECK((sure_of(below<W>(1, 0), true) && below<W>(1, 0).near.t == W(-INFINITY) &&
+           below<W>(1, 0).far.t == W(INFINITY)));
+    CHECK((below<W>(4, 1).near.entering && !below<W>(4, 1).far.entering));
+    CHECK((below<W>(1, 1).near.face == 2 && below<W>(1, 1).far.face == 2));
+    CHECK(sure_of(below<W>(3, 0), false));
+    CHECK((below<double>(2, 0).near.exists && !below<double>(3, 0).near.exists && below<double>(3, 1).near.exists));
+
+    // At no height, and the numbers that it is computed from are rounded: strict_double does not know the side.
+    const vec3<double> vertex(0, 0, 0), top(0.1, 0.2, 0.3);
+    const ray<double> along{{0.1 + 0.3, 0.2, 0.3 - 0.1}, {3, 0, -1}};
+    const chord<W> open = detail::cross_upper_plane<W>(vertex, top, along);
+    CHECK((!open.near.certain && !open.far.certain));
+}
+
+TEST_CASE_TEMPLATE("axial_crossing: an open side has its rims, and what is closer to them than its error is open", N,
+                   strict_double, double_double, double) {
+    const chord<N> slab = test::slab<N>(4, 1);  // from 2 to 4
+    using E = bound_t<N>;
+    const auto kept = [&](double t, double error = 0.125, bool exists = true) {
+        return detail::within(slab, crossing<N>{exists, true, N(t), E(error), true});
+    };
+    CHECK((kept(3).exists && kept(3).certain));
+    for (const double t : {1.5, 4.5}) CHECK((!kept(t).exists && kept(t).certain));
+    for (const double t : {1.9375, 2.0625, 3.9375, 4.0625}) CHECK(!kept(t).certain);
+    for (const double t : {2.0, 4.0}) CHECK((kept(t).exists && !kept(t).certain));
+    for (const double t : {2 - 0x1p-20, 4 + 0x1p-20}) CHECK(kept(t).exists == std::same_as<N, double_double>);
+    for (const double t : {1.9375, 4.0625}) CHECK(!kept(t).exists);  // a part of the slab is no error of its rim
+    for (const double t : {1.9375, 2.0625, 3.9375, 4.0625}) {        // the planes may be off as well
+        CHECK(!detail::within(test::slab<N>(4, 1, 0.5), crossing<N>{true, true, N(t), E(0), true}).certain);
+    }
+    CHECK((!kept(2, 0.125, false).exists && kept(2, 0.125, false).certain));
+    const auto beside = detail::within(test::slab<N>(9, 0), crossing<N>{true, true, N(3), E(0), true});
+    CHECK((!beside.exists && beside.certain));
+}
+
+}  // namespace raio::test

@@ -1,0 +1,53 @@
+#include <raio/formula/edges.hpp>
+
+#include <doctest/doctest.h>
+
+#include "support/bounds.hpp"
+
+namespace raio::test {
+
+using W = strict_double;
+using X = double_double;
+
+TEST_CASE("edge_crossing: the bounds of t, u, v and of what is missing, from above as well") {
+    random_numbers random(1);
+    part_of_bound of_size, of_u, of_v, of_t, of_missing, of_missing_ahead;
+    for (int i = 0; i < at_least(20'000); ++i) {
+        const vec3<double> a = some_vector(random), b = a + some_vector(random), c = a + some_vector(random);
+        const vec3<double> normal = cross(b - a, c - a);
+        const ray<double> ray{a + all_but_across(normal, random), all_but_across(normal, random)};
+        const vec3<W> corner(a);
+        const auto anywhere = [](const W&, const W&, const W&) { return infinity<W>; };
+        const auto met = cross_edges(corner, vec3<W>(b) - corner, vec3<W>(c) - corner, ray, anywhere);
+        if (met.size == W(0)) continue;  // there is no side to be on
+        const vec3<oracle> e1 = vec3<oracle>(b) - vec3<oracle>(a), e2 = vec3<oracle>(c) - vec3<oracle>(a);
+        const vec3<oracle> d(ray.direction), s = vec3<oracle>(ray.origin) - vec3<oracle>(a), n = cross(e1, e2);
+        const oracle det = -dot(d, n), sign = met.at.entering ? 1 : -1;
+        of_size.add(test::exactly(met.size) - det * sign, met.size_error);
+        const oracle u = dot(s, cross(d, e2)) * sign, v = dot(d, cross(s, e1)) * sign;
+        of_u.add(test::exactly(met.u) - u, met.u_error);
+        of_v.add(test::exactly(met.v) - v, met.v_error);
+        if (!met.at.certain) continue;
+        of_t.add(test::exactly(met.at.t) - dot(s, n) / det, met.at.error);
+
+        const vec3<X> step = vec3<X>(ray.direction) * X(met.at.t);
+        const nearby_ray<X, W> nearby{vec3<X>(ray.origin), step, vec3<W>(ray.direction)};
+        const auto missing = correct_edges(a, vec3<X>(b) - vec3<X>(a), vec3<X>(c) - vec3<X>(a), nearby, met.at);
+        const oracle error = test::exactly(missing.t) - dot(s + exactly(step), n) / det;
+        of_missing.add(error, missing.error);
+        // Ahead the rounding of both points, which is added, is most of the bound.
+        if (abs(det) > length(d) * length(n) / 4) of_missing_ahead.add(error, missing.error);
+    }
+    CHECK((of_size.largest > 0.1 && of_u.largest > 0.1 && of_v.largest > 0.1));
+    CHECK((of_t.largest > 0.03 && of_missing.largest > 0.02 && of_missing_ahead.largest > 0.003));
+}
+
+TEST_CASE("edge_crossing: what is out of range on the way is not taken for a miss (bundles were certain of one)") {
+    const vec3<float> corner(0x1p59f, 0, 0), e1(0x1p91f, 0x1p91f, 0), e2(-0x1p59f, 0, 0);
+    const auto inside = [](float size, float u, float v) { return size - u - v; };
+    const auto met = cross_edges(corner, e1, e2, ray<float>{{0, 0, 0}, {0, 0, -0x1p-29f}}, inside);
+    REQUIRE(met.v == infinity<float>);
+    CHECK(!met.at.certain);
+}
+
+}  // namespace raio::test

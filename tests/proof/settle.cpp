@@ -1,0 +1,313 @@
+#include <raio/proof/settle.hpp>
+
+#include "support/bounds.hpp"
+
+namespace raio::test {
+
+using W = strict_double;
+using X = double_double;
+
+namespace {
+
+const ray<float> any_float{{0, 0, 0}, {0, 0, 1}};
+const ray<double> any_double{{0, 0, 0}, {0, 0, 1}};
+
+template <class T>
+const ray<T>& any() {
+    if constexpr (std::same_as<T, float>) {
+        return any_float;
+    } else {
+        return any_double;
+    }
+}
+
+/// A crossing that each precision puts elsewhere: who was asked can be seen from the answer.
+template <class Number>
+crossing<Number> at(double t, double error = 0) {
+    return {true, true, Number(t), bound_t<Number>(error), true};
+}
+
+template <class Number>
+crossing<Number> unsure(crossing<Number> c) {
+    c.certain = false;
+    return c;
+}
+
+template <class Number>
+crossing<Number> none(bool certain = true) {
+    return {false, certain, Number(1), bound_t<Number>(0), true};
+}
+
+/// A shape that says just these are its crossings: at 2 and 6 if nothing else is said, at 3 and 7 if asked in more
+/// digits.
+template <class T>
+struct told {
+    using number = T;
+
+    chord<W> quick{at<W>(2), at<W>(6)};
+    chord<X> exact{at<X>(3), at<X>(7)};
+
+    template <class N, real R>
+    chord<N> crossings(const ray<R>&) const {
+        if constexpr (std::same_as<N, W>) {
+            return quick;
+        } else {
+            return exact;
+        }
+    }
+    template <class N, real R>
+    void surface(const ray<R>&, const crossing<N>& c, hit_record<T>& rec) const {
+        rec.t = T(c.t);
+    }
+
+    /// t of the hit; -1 if there is none.
+    T hit(T t_min = 0, T t_max = infinity<T>) const {
+        hit_record<T> rec;
+        return first_hit(*this, any<T>(), t_min, t_max, rec) ? rec.t : T(-1);
+    }
+    bool occluded(T t_min = 0, T t_max = infinity<T>) const { return any_hit(*this, any<T>(), t_min, t_max); }
+};
+
+/// The same, whose first crossing is its only one.
+template <class T>
+struct told_of_one : told<T> {
+    template <class N, real R>
+    crossing<N> crossings(const ray<R>& ray) const {
+        return told<T>::template crossings<N>(ray).near;
+    }
+};
+
+/// A shape that has to search, and says with its t how closely it was told to.
+template <class T>
+struct told_how_closely : told<T> {
+    template <class N, real R>
+    crossing<N> crossings(const ray<R>&, const first_from<T>& wanted) const {
+        return at<N>(wanted.roughly ? 2 : 4);
+    }
+};
+
+/// A shape that says just these, with half a unit missing of each quick crossing.
+struct told_what_is_missing : told<double> {
+    crossing<W> missing = at<W>(0.5), missing_of_far = missing;
+
+    crossing<W> correction(const nearby_ray<X, W>&, const crossing<W>& c) const {
+        return c.t < W(4) ? missing : missing_of_far;
+    }
+
+    double hit(double t_min = 0, double t_max = infinity<double>) const {
+        hit_record<double> rec;
+        return first_hit(*this, any_double, t_min, t_max, rec) ? rec.t : -1;
+    }
+    bool occluded(double t_min = 0, double t_max = infinity<double>) const {
+        return any_hit(*this, any_double, t_min, t_max);
+    }
+};
+
+}  // namespace
+
+// A quicker precision than the last is tried where there is one: one that knows if the ray's numbers are rounded to it.
+static_assert(detail::works_first<float> && detail::works_first<double> && !detail::works_first<double_double>);
+static_assert(std::same_as<detail::quick_t<float, float>, strict_double>);
+static_assert(std::same_as<detail::quick_t<float, strict_double>, strict_double>);
+static_assert(std::same_as<detail::quick_t<double, double>, strict_double>);
+static_assert(std::same_as<detail::quick_t<double, double_double>, rounded_double>);
+static_assert(4 * unit_roundoff<strict_double> == unit_roundoff<rounded_double>);
+
+TEST_CASE_TEMPLATE("settle: what is certain to the last bit is the answer, and all else is asked again", T, float,
+                   double) {
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    CHECK(told<T>{}.hit() == 2);
+    CHECK(told<T>{}.hit(2, 2) == 2);
+    CHECK(told<T>{}.hit(2 + 2 * eps) == 6);
+    CHECK(told<T>{}.hit(2 + 2 * eps, 6) == 6);
+    CHECK(told<T>{.exact = {none<X>(), none<X>()}}.hit(3, 5) == -1);
+    CHECK(told<T>{.quick = {at<W>(2, 0.25), at<W>(6)}}.hit() == 3);
+    CHECK(told<T>{.quick = {at<W>(2, 0.25), at<W>(6)}}.hit(2.25) == 3);
+    CHECK(told<T>{.quick = {at<W>(2, 0.25), at<W>(6)}}.hit(2.5) == 6);
+    CHECK(told<T>{.quick = {at<W>(2), at<W>(6, 0.25)}}.hit(2.5) == 3);
+    CHECK(told<T>{.quick = {unsure(at<W>(2)), at<W>(6)}}.hit() == 3);
+    CHECK(told<T>{.quick = {none<W>(), at<W>(6)}}.hit() == 6);
+    CHECK(told<T>{.quick = {none<W>(false), at<W>(6)}}.hit() == 3);
+    CHECK(told<T>{.quick = {none<W>(), none<W>()}}.hit() == -1);
+    CHECK(told<T>{.quick = {none<W>(), none<W>(false)}}.hit() == 3);
+    CHECK(told<T>{.quick = {at<W>(2, 0.25), at<W>(6)}, .exact = {none<X>(), none<X>()}}.hit() == 2);
+    CHECK(told<T>{.quick = {unsure(at<W>(2)), at<W>(6)}, .exact = {none<X>(), none<X>()}}.hit() == -1);
+    CHECK(told<T>{.quick = {at<W>(2, 2), at<W>(6)}}.hit(3.5) == 7);
+    CHECK(told<T>{.quick = {at<W>(2, 2), at<W>(6)}}.hit(2, 2.5) == -1);
+    CHECK(told<T>{.quick = {at<W>(INFINITY), at<W>(INFINITY)}}.hit() == 3);
+}
+
+TEST_CASE_TEMPLATE("settle: where there is one beyond doubt, only its last bit is asked for", T, float, double) {
+    const auto where = [](const crossing<W>& near) {
+        hit_record<T> rec;
+        const told_of_one<T> shape{{.quick = {near, at<W>(6)}}};
+        return first_hit<detail::question::only_where>(shape, any<T>(), T(0), infinity<T>, rec) ? rec.t : T(-1);
+    };
+    CHECK(where(at<W>(2)) == 2);
+    CHECK(where(unsure(at<W>(2))) == 2);
+    CHECK(where(none<W>(false)) == 1);
+    CHECK(where(at<W>(2, 0.25)) == 3);
+    CHECK(where(at<W>(INFINITY)) == 3);
+}
+
+TEST_CASE_TEMPLATE("settle: a shape that has to search is told whether t is asked for", T, float, double) {
+    hit_record<T> rec;
+    CHECK((first_hit(told_how_closely<T>{}, any<T>(), T(0), infinity<T>, rec) && rec.t == 4));
+    CHECK(any_hit(told_how_closely<T>{}, any<T>(), T(1), T(3)));
+}
+
+TEST_CASE_TEMPLATE("settle: whether there is one is known where the last bit is not", T, float, double) {
+    const chord<X> nothing{none<X>(), none<X>()};
+    CHECK(told<T>{.quick = {at<W>(2, 0.25), at<W>(6)}, .exact = nothing}.occluded());
+    CHECK(told<T>{.quick = {at<W>(2, 0.25), at<W>(6)}, .exact = nothing}.occluded(1.75, 2.25));
+    CHECK(!told<T>{.quick = {at<W>(2, 0.25), none<W>()}, .exact = nothing}.occluded(1.875));
+    CHECK(!told<T>{.quick = {at<W>(2, 0.25), none<W>()}, .exact = nothing}.occluded(0, 2.125));
+    CHECK(!told<T>{.quick = {at<W>(2, INFINITY), none<W>()}, .exact = nothing}.occluded(-infinity<T>));
+    CHECK(!told<T>{.quick = {at<W>(2, 0.25), none<W>()}}.occluded(2.5));
+    CHECK(!told<T>{.quick = {at<W>(2, 0.25), none<W>()}}.occluded(0, 1.5));
+    CHECK(told<T>{.quick = {at<W>(2, 0.25), none<W>()}}.occluded(2.25));
+}
+
+TEST_CASE_TEMPLATE("settle: a line is inside from crossing to crossing, both to the last bit", T, float, double) {
+    const auto inside = [](const chord<W>& quick, const chord<X>& exact = {at<X>(3), at<X>(7)}) {
+        return inside_of(told<T>{quick, exact}, any<T>());
+    };
+    const interval<T> quick{2, 6}, exact{3, 7};
+    CHECK(inside({at<W>(2), at<W>(6)}) == quick);
+    CHECK(inside({at<W>(2), none<W>()}) == interval<T>{2, 1});
+    CHECK(inside({at<W>(2, 0.25), at<W>(6)}) == exact);
+    CHECK(inside({at<W>(2), at<W>(6, 0.25)}) == exact);
+    CHECK(inside({unsure(at<W>(2)), at<W>(6)}) == exact);
+    CHECK(inside({at<W>(2), unsure(at<W>(6))}) == exact);
+    CHECK(inside({at<W>(2, 0.25), none<W>()}) == exact);
+    CHECK(inside({none<W>(), at<W>(6, 0.25)}) == exact);
+    CHECK(inside({none<W>(), none<W>()}).empty());
+    CHECK(inside({none<W>(false), none<W>()}) == exact);
+    CHECK(inside({none<W>(), none<W>(false)}) == exact);
+    CHECK(inside({none<W>(false), none<W>()}, {none<X>(), none<X>()}).empty());
+}
+
+TEST_CASE("settle: what is missing of a certain crossing is added, and decides about the window") {
+    using shape = told_what_is_missing;
+    const auto with = [](const chord<W>& quick, const crossing<W>& missing = at<W>(0.5)) {
+        return shape{{quick, {at<X>(3), at<X>(7)}}, missing};
+    };
+    CHECK(with({at<W>(2), at<W>(6)}).hit() == 2.5);
+    CHECK(with({at<W>(2), at<W>(6)}).hit(2.25) == 6.5);  // the shape has said that there is none at 2.5
+    CHECK(with({at<W>(2, 1), at<W>(6)}).hit(2.5, 2.5) == 2.5);
+    CHECK(with({at<W>(2, 1), at<W>(6)}).hit(2.75) == 3);
+    CHECK(with({at<W>(2, 1), at<W>(6)}).hit(0, 2.25) == -1);
+    CHECK(with({unsure(at<W>(2)), at<W>(6)}).hit() == 3);
+    CHECK(with({none<W>(false), at<W>(6)}).hit() == 3);
+    CHECK(with({none<W>(), at<W>(6)}).hit() == 6.5);
+    CHECK(with({none<W>(), none<W>()}).hit() == -1);
+    CHECK(with({at<W>(INFINITY), at<W>(INFINITY)}).hit() == 3);
+    CHECK(with({at<W>(2), at<W>(6)}, unsure(at<W>(0.5))).hit() == 3);
+    CHECK(with({at<W>(2), at<W>(6)}, at<W>(0.5, 1e-3)).hit() == 3);
+    // Whether there is one is not worth the correction.
+    CHECK(!shape{{{at<W>(2, 0.25), none<W>()}, {none<X>(), none<X>()}}}.occluded(2.375, 2.625));
+    CHECK(shape{{{at<W>(2, 0.25), none<W>()}, {none<X>(), none<X>()}}}.occluded(1.75, 2.25));
+
+    const interval<double> fine{2.5, 6.5}, exact{3, 7};
+    const auto inside = [](const shape& s) { return inside_of(s, any_double); };
+    CHECK(inside(with({at<W>(2), at<W>(6)})) == fine);
+    CHECK(inside(with({unsure(at<W>(2)), at<W>(6)})) == exact);
+    CHECK(inside(with({at<W>(2), unsure(at<W>(6))})) == exact);
+    CHECK(inside(with({none<W>(), none<W>()})).empty());
+    CHECK(inside(with({at<W>(2), at<W>(6)}, unsure(at<W>(0.5)))) == exact);
+    CHECK(inside(with({at<W>(2), at<W>(6)}, at<W>(0.5, 1e-3))) == exact);
+    for (const bool near : {false, true}) {
+        shape half = with({at<W>(2), at<W>(6)});
+        (near ? half.missing : half.missing_of_far).certain = false;
+        CHECK(inside(half) == exact);
+    }
+}
+
+/// Along each axis the error holds, and is little more than that of t and the rounding of the point.
+template <class N, class T>
+void check_recorded_error() {
+    random_numbers random(1);
+    double largest = 0;
+    for (int i = 0; i < at_least(20'000); ++i) {
+        vec3<T> origin(some_vector(random)), direction(some_vector(random));
+        if (i % 3 == 0) origin = vec3<T>(0);
+        const double t = random.uniform(-9, 9), error = i % 2 == 0 ? 0 : std::abs(t) * random.log_uniform(1e-20, 1e9);
+        const crossing<N> c = at<N>(t, error);
+        hit_record<T> rec;
+        record_point(ray<T>{origin, direction}, c, rec);
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const oracle o(origin[axis]), d(direction[axis]), p(rec.point[axis]), stated(rec.error[axis]);
+            for (const double off : {-error, error}) REQUIRE(abs(o + d * (oracle(t) + off) - p) <= stated);
+            const oracle most = abs(d) * error + (abs(p) + abs(o)) * 10 * unit_roundoff<T>;
+            REQUIRE(stated <= most * 1.001 + norm1(vec3<oracle>(rec.point)) * 0x1p-71 + least_normal<T>);
+            largest = std::max(largest, rounded<double>(abs(o + d * t - p) / stated));
+        }
+    }
+    CHECK(largest > 0.1);
+}
+
+TEST_CASE("record_point: the error holds along each axis, and is no larger than it must be") {
+    check_recorded_error<W, float>();
+    check_recorded_error<W, double>();
+    check_recorded_error<X, double>();
+}
+
+TEST_CASE_TEMPLATE("record: where numbers leave no normal, it is against the ray, and uv is 0", T, float, double) {
+    struct recorded {
+        vec3<T> normal;
+        vec2<T> uv;
+        void surface(const ray<T>&, const crossing<W>&, hit_record<T>& rec) const { rec.normal = normal, rec.uv = uv; }
+    };
+    constexpr T nan = std::numeric_limits<T>::quiet_NaN();
+    const ray<T> along{{0, 0, 0}, {0, 3, -4}};
+    hit_record<T> rec;
+    detail::record(recorded{vec3<T>(nan), {T(0.5), nan}}, along, at<W>(1), rec);
+    CHECK(length(vec3<T>(rec.normal - vec3<T>(0, T(-0.6), T(0.8)))) < std::numeric_limits<T>::epsilon());
+    CHECK(rec.uv == vec2<T>(0.5, 0));
+    detail::record(recorded{{0, 1, 0}, {0, 1}}, along, at<W>(1), rec);
+    CHECK((rec.normal == vec3<T>(0, 1, 0) && rec.uv == vec2<T>(0, 1)));
+}
+
+TEST_CASE_TEMPLATE("record_point: beyond the largest number it is the nearest that there is", T, float, double) {
+    constexpr T most = std::numeric_limits<T>::max();
+    hit_record<T> rec;
+    record_point(ray<T>{{most, -most, 0}, {most, -most, 1}}, at<W>(1), rec);
+    CHECK(rec.point == vec3<T>(most, -most, 1));
+    record_point_between({vec3<T>(0), vec3<T>(2, 0, 1)}, ray<T>{{1, -1, 5}, {3, 0, 0}}, at<W>(1), rec);
+    CHECK(rec.point == vec3<T>(2, 0, 1));
+}
+
+TEST_CASE_TEMPLATE("record_point: an error without end is the largest number", T, float, double) {
+    constexpr T most = std::numeric_limits<T>::max();
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        vec3<T> direction(0);
+        direction[axis] = 4;
+        hit_record<T> rec;
+        record_point(ray<T>{{1, 2, 3}, direction}, at<W>(2, INFINITY), rec);
+        for (glm::length_t other = 0; other < 3; ++other) CHECK((rec.error[other] == most) == (other == axis));
+    }
+}
+
+TEST_CASE("record_point: what is too small for a float, a long direction makes large") {
+    hit_record<float> rec;
+    record_point(ray<float>{{0, 0, 0}, {0x1p120f, 0, 0}}, at<W>(0x1p-150, 0x1p-160), rec);
+    CHECK((rec.t == 0 && rec.point.x == 0x1p-30f && rec.error.x >= 0x1p-40f));
+    record_point(ray<float>{{0, 0, 0}, {1, 0, 0}}, at<W>(-0.0), rec);
+    CHECK(!std::signbit(rec.t));
+}
+
+TEST_CASE_TEMPLATE("record_point: what curves is left by more than its normal is rounded by", T, float, double) {
+    constexpr T u = unit_roundoff<T>, eps = std::numeric_limits<T>::epsilon();
+    const ray<T> through_origin{{0, 0, 0}, {1, 0, 0}};
+    hit_record<T> flat, curved;
+    record_point(through_origin, at<W>(0), flat);
+    record_point(through_origin, at<W>(0), curved, T(3));
+    CHECK(flat.error.y < least_normal<T> * 2);
+    CHECK(flat.error.y >= least_normal<T>);
+    CHECK(curved.error.y / (3 * (4 * u * u + T(0x1p-72))) == doctest::Approx(1));
+    record_point(through_origin, at<W>(2), flat);
+    CHECK(flat.error.y / T(0x1p-71) == doctest::Approx(1));
+    CHECK(flat.error.x <= 10 * eps);
+}
+
+}  // namespace raio::test
