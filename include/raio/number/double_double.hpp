@@ -250,6 +250,10 @@ struct real_traits<basic_double_double<D>> : detail::one_number<basic_double_dou
 template <class W>
 concept last_precision = std::same_as<scalar_t<W>, double_double>;
 
+/// Is there a closer look at what W leaves in doubt?
+template <class W>
+inline constexpr bool has_closer_look = sizeof(scalar_t<W>) <= sizeof(double);
+
 namespace detail {
 
 /// What is taken for a number where a W of two parts is wanted.

@@ -59,6 +59,46 @@ RAIO_FN constexpr void start_on_surface(chord<W>& c, auto starts) {
     start_at_origin(c.far, on_it);
 }
 
+/// The chord between two places, if there is one.
+template <class W>
+RAIO_FN constexpr chord<W> between(const verdict<mask_t<W>>& exists, const bounded_number<W>& near,
+                                   const bounded_number<W>& far) {
+    const mask_t<W> yes = has_closer_look<W> ? exists.possibly : exists.yes;
+    const mask_t<W> certain = some(exists.certainly, !exists.possibly);
+    return {{yes, certain, near.value, detail::rounded_up<W>(near.error), yes},
+            {yes, certain, far.value, detail::rounded_up<W>(far.error), !yes}};
+}
+
+/// The two solutions of a t^2 - 2 b t + c = 0, the lower one first; a is above 0.
+template <class W>
+struct root_pair {
+    bounded_number<W> near, far;
+};
+
+/// \param root  of b^2 - a c, found without that difference, which may cancel
+template <proven_number A, class W>
+RAIO_FN constexpr root_pair<W> quadratic_roots(const A& a, const bounded_number<W>& b, const bounded_number<W>& c,
+                                               const bounded_number<W>& root) {
+    using E = bound_t<W>;
+    const auto over_a = inverse(a);
+    // Both ends are off by no more than the one that is farther away.
+    const E size = size_of(b) + E(root.value);
+    const E error = (bounded_number<W>(W(size), b.error + root.error + detail::roundings<W>(1, size)) * over_a).error;
+    bounded_number<W> near((b.value - root.value) * over_a.value, error);
+    bounded_number<W> far((b.value + root.value) * over_a.value, error);
+    if constexpr (last_precision<W>) {
+        // Of b - root and b + root one cancels where c is small: where the line starts near the surface. Their product
+        // is a c. And where c cannot be told from zero, the line starts on it.
+        const bool starts = size_of(c) <= detail::rounded_up<W>(c.error);
+        const bounded_number<W> power = starts ? bounded_number<W>{W(0), c.error + size_of(c)} : c;
+        const bool is_near = b.value > W(0);
+        bounded_number<W>& small = is_near ? near : far;
+        const bounded_number<W> better = power * inverse(is_near ? b + root : b - root);
+        if (better.error < small.error) small = better;
+    }
+    return {near, far};
+}
+
 /// The chord of a line that misses, or may miss.
 template <class W>
 RAIO_FN constexpr chord<W> nowhere(const mask_t<W>& certain) {
@@ -83,6 +123,14 @@ RAIO_FN constexpr chord<W> everywhere() {
     const mask_t<W> yes = W(0) == W(0);
     const bound_t<W> none(0);
     return {{yes, yes, -infinity<W>, none, yes}, {yes, yes, infinity<W>, none, !yes}};
+}
+
+/// Lets a chord go on for ever in these lanes, if there is one.
+template <class W>
+RAIO_FN constexpr void keep_going_where(const mask_t<W>& where, chord<W>& c) {
+    const bound_t<W> none(0);
+    c.near.t = select(where, W(-infinity<W>), c.near.t), c.near.error = select(where, none, c.near.error);
+    c.far.t = select(where, W(infinity<W>), c.far.t), c.far.error = select(where, none, c.far.error);
 }
 
 /// The chord of two convex solids that are convex together: from where the line enters the first to where it leaves the

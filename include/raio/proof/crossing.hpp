@@ -1,6 +1,7 @@
 #pragma once
 
 #include <raio/math/interval.hpp>
+#include <raio/number/bounded_vector.hpp>
 #include <raio/ray.hpp>
 
 /// \file
@@ -48,13 +49,6 @@ RAIO_FN constexpr bound_t<W> with_underflow(const bound_t<W>& error) {
         return error;
     }
 }
-
-/// A number and how far it may be off.
-template <class W>
-struct bounded_number {
-    W value;
-    bound_t<W> error;
-};
 
 /// A bound for the terms of a.(b x c), whose rounding errors are a few times that much of a roundoff: cheap where a
 /// closer look can follow, and as tight as it gets where it decides.

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <raio/number/bounded_number.hpp>
+
+/// \file
+/// Vectors that know how far off they may be: one bound for all three components is what their products need.
+///
+/// The size of a vector is the sum of its components' magnitudes, and its error is the sum of theirs. With |a| and |b|
+/// the sizes and da and db the errors, a.b and a x b are off by at most |a| db + |b| da + da db, and by the roundings
+/// of their terms, which add up to at most |a| |b|.
+///
+/// (No vectors of GLM's: they may be unions, which GCC keeps in memory.)
+
+namespace raio {
+
+/// A vector whose error is at most K roundings of its size. One that is given has none, K = 0.
+template <class W, int K>
+struct rounded_vector {
+    using number = W;
+
+    W x, y, z;
+
+    RAIO_FN constexpr rounded_vector operator-() const { return {-x, -y, -z}; }
+};
+template <class W>
+using given_vector = rounded_vector<W, 0>;
+
+/// A vector and a bound of its error.
+template <class W>
+struct bounded_vector {
+    using number = W;
+
+    W x, y, z;
+    bound_t<W> error;
+
+    RAIO_FN constexpr bounded_vector operator-() const { return {-x, -y, -z, error}; }
+};
+
+namespace detail {
+
+template <class V>
+inline constexpr bool is_proven_vector = false;
+template <class W, int K>
+inline constexpr bool is_proven_vector<rounded_vector<W, K>> = true;
+template <class W>
+inline constexpr bool is_proven_vector<bounded_vector<W>> = true;
+
+/// a p + b q + ..., in the precision of W.
+template <class W, class... More>
+RAIO_FN constexpr W sum_of_products(const W& a, const W& p, const W& b, const W& q, const More&... more) {
+    if constexpr (last_precision<W>) {
+        return W::sum_of_products(a, p, b, q, more...);
+    } else if constexpr (sizeof...(More) == 0) {
+        return a * p + b * q;
+    } else {
+        return [](const W& two, const W& c, const W& r) { return two + c * r; }(a * p + b * q, more...);
+    }
+}
+
+}  // namespace detail
+
+/// A vector that knows how far off it may be.
+template <class V>
+concept proven_vector = detail::is_proven_vector<V>;
+
+template <proven_vector V>
+RAIO_FN constexpr auto size_of(const V& v) {
+    using E = bound_t<typename V::number>;
+    return abs(E(v.x)) + abs(E(v.y)) + abs(E(v.z));
+}
+
+namespace detail {
+
+// What a product is off by that rounds its terms so many times.
+template <class W, int K, int L>
+RAIO_FN constexpr bound_t<W> error_of_product(int count, const rounded_vector<W, K>& a, const rounded_vector<W, L>& b) {
+    return roundings<W>(K + L + count, size_of(a) * size_of(b));
+}
+template <class W, int K>
+RAIO_FN constexpr bound_t<W> error_of_product(int count, const bounded_vector<W>& a, const rounded_vector<W, K>& b) {
+    return (a.error + roundings<W>(K + count, size_of(a))) * size_of(b);
+}
+template <class W, int K>
+RAIO_FN constexpr bound_t<W> error_of_product(int count, const rounded_vector<W, K>& a, const bounded_vector<W>& b) {
+    return error_of_product(count, b, a);
+}
+template <class W>
+RAIO_FN constexpr bound_t<W> error_of_product(int count, const bounded_vector<W>& a, const bounded_vector<W>& b) {
+    return a.error * (size_of(b) + b.error) + size_of(a) * (b.error + roundings<W>(count, size_of(b)));
+}
+
+}  // namespace detail
+
+template <proven_vector A, proven_vector B>
+RAIO_FN constexpr auto dot(const A& a, const B& b) {
+    using W = typename A::number;
+    return bounded_number<W>{detail::sum_of_products(a.x, b.x, a.y, b.y, a.z, b.z), detail::error_of_product(3, a, b)};
+}
+
+template <proven_vector A, proven_vector B>
+RAIO_FN constexpr auto cross(const A& a, const B& b) {
+    using W = typename A::number;
+    return bounded_vector<W>{detail::sum_of_products(a.y, b.z, -a.z, b.y), detail::sum_of_products(a.z, b.x, -a.x, b.z),
+                             detail::sum_of_products(a.x, b.y, -a.y, b.x), detail::error_of_product(2, a, b)};
+}
+
+/// v.v
+template <class W, int K>
+RAIO_FN constexpr rounded_number<W, 2 * K + 4> square(const rounded_vector<W, K>& v) {
+    return {detail::sum_of_products(v.x, v.x, v.y, v.y, v.z, v.z)};
+}
+template <class W>
+RAIO_FN constexpr bounded_number<W> square(const bounded_vector<W>& v) {
+    using E = bound_t<W>;
+    W sum = detail::sum_of_products(v.x, v.x, v.y, v.y, v.z, v.z);
+    return {sum, v.error * (E(2) * size_of(v) + v.error) + detail::roundings<W>(3, E(sum))};
+}
+
+template <proven_vector A, proven_vector B>
+RAIO_FN constexpr auto operator+(const A& a, const B& b) {
+    using W = typename A::number;
+    const auto error_of = []<class V>(const V& v) {
+        if constexpr (requires { v.error; }) {
+            return v.error;
+        } else {
+            return detail::error_of_product(0, v, given_vector<W>{W(1), W(0), W(0)});
+        }
+    };
+    bounded_vector<W> sum{a.x + b.x, a.y + b.y, a.z + b.z, error_of(a) + error_of(b)};
+    sum.error = sum.error + detail::roundings<W>(1, size_of(sum));
+    return sum;
+}
+template <proven_vector A, proven_vector B>
+RAIO_FN constexpr auto operator-(const A& a, const B& b) {
+    return a + -b;
+}
+
+template <class W, int K, int L>
+RAIO_FN constexpr rounded_vector<W, K + L + 1> operator*(const rounded_vector<W, K>& v, const rounded_number<W, L>& s) {
+    return {v.x * s.value, v.y * s.value, v.z * s.value};
+}
+template <proven_vector V, proven_number S>
+RAIO_FN constexpr auto operator*(const V& v, const S& s) {
+    using W = typename V::number;
+    return bounded_vector<W>{
+        v.x * s.value, v.y * s.value, v.z * s.value, [&] {
+            const bounded_number<W> factor = s;
+            const bound_t<W> size = size_of(v), rounding = detail::roundings<W>(1, size * size_of(s));
+            if constexpr (requires { v.error; }) {
+                return v.error * (size_of(s) + factor.error) + size * factor.error + rounding;
+            } else {
+                return detail::error_of_product(0, v, given_vector<W>{W(factor.error + size_of(s)), W(0), W(0)}) +
+                       size * factor.error + rounding;
+            }
+        }()};
+}
+
+}  // namespace raio
