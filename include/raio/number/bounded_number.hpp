@@ -209,6 +209,15 @@ RAIO_FN constexpr verdict<mask_t<W>> is_positive(const rounded_number<W, K>& a) 
     return {above, K == 0 ? above : !(a.value <= -off), above};
 }
 
+/// Is it not below zero? What cannot be told from zero is a tie, and holds.
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> is_not_negative(const bounded_number<W>& a) {
+    using E = bound_t<W>;
+    W off(detail::rounded_up<W>(a.error) + E(detail::lost<W>));
+    const mask_t<W> possibly = !(a.value < -off);
+    return {a.value > off, possibly, last_precision<W> ? possibly : a.value >= W(0)};
+}
+
 template <class W>
 RAIO_FN constexpr bounded_number<W> select(const verdict<mask_t<W>>& where, const bounded_number<W>& a,
                                            const bounded_number<W>& b) {

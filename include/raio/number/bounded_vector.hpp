@@ -13,7 +13,7 @@
 
 namespace raio {
 
-/// A vector whose error is at most K roundings of its size. One that is given has none, K = 0.
+/// A vector each of whose components has a relative error of at most K roundings. One that is given has none, K = 0.
 template <class W, int K>
 struct rounded_vector {
     using number = W;
@@ -71,6 +71,13 @@ RAIO_FN constexpr auto size_of(const V& v) {
 
 namespace detail {
 
+/// The terms of a.b added up as magnitudes.
+template <class A, class B>
+RAIO_FN constexpr auto size_of_terms(const A& a, const B& b) {
+    using E = bound_t<typename A::number>;
+    return abs(E(a.x) * E(b.x)) + abs(E(a.y) * E(b.y)) + abs(E(a.z) * E(b.z));
+}
+
 // What a product is off by that rounds its terms so many times.
 template <class W, int K, int L>
 RAIO_FN constexpr bound_t<W> error_of_product(int count, const rounded_vector<W, K>& a, const rounded_vector<W, L>& b) {
@@ -95,6 +102,12 @@ template <proven_vector A, proven_vector B>
 RAIO_FN constexpr auto dot(const A& a, const B& b) {
     using W = typename A::number;
     return bounded_number<W>{detail::sum_of_products(a.x, b.x, a.y, b.y, a.z, b.z), detail::error_of_product(3, a, b)};
+}
+
+template <class W, int K, int L>
+RAIO_FN constexpr bounded_number<W> dot(const rounded_vector<W, K>& a, const rounded_vector<W, L>& b) {
+    return {detail::sum_of_products(a.x, b.x, a.y, b.y, a.z, b.z),
+            detail::roundings<W>(K + L + 3, detail::size_of_terms(a, b))};
 }
 
 template <proven_vector A, proven_vector B>

@@ -199,6 +199,17 @@ RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value
             .entering = slope.value < W(0)};
 }
 
+/// A crossing at this place, if there is one.
+template <class W>
+RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, const bounded_number<W>& t,
+                                          const mask_t<W>& entering) {
+    return {.exists = has_closer_look<W> ? exists.possibly : exists.yes,
+            .certain = some(exists.certainly, !exists.possibly),
+            .t = t.value,
+            .error = detail::rounded_up<W>(t.error),
+            .entering = entering};
+}
+
 /// The point at t, as seen from another.
 template <class W, real R, real T>
 RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, const W& t) {

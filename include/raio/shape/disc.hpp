@@ -31,13 +31,17 @@ struct disc {
 
     template <class W, real R>
     RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
-        using E = bound_t<W>;
-        auto [c, distance2, distance2_error] = cross_plane_about<W>(center, normal, ray);
-        W r2 = W(radius) * W(radius), inner = r2 - distance2;
-        E slack = with_underflow<W>(distance2_error + E(8 * unit_roundoff<W>) * E(r2));
-        c.exists = every(c.exists, inner >= -tie<W>(slack, E(r2)), radius > T(0));
-        c.certain = every(c.certain, abs(inner) > slack);
-        return c;
+        return crossings(line<W, R>{ray});
+    }
+
+    template <class W, real R>
+    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
+        const auto n = line.given(normal), d = line.direction();
+        const auto r = line.given(radius);
+        const auto to_center = line.to(center);
+        const auto speed = dot(n, d), t = dot(n, to_center) * inverse(speed);
+        const auto exists = every(is_positive(r), is_positive(abs(speed)), r * r >= square(d * t - to_center));
+        return crossing_at(exists, t, speed.value < W(0));
     }
 
     template <class X, class W>

@@ -4,6 +4,7 @@
 #include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
+#include <raio/proof/line.hpp>
 
 namespace raio {
 
@@ -34,10 +35,15 @@ struct plane {
 
     template <class W, real R>
     RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
-        vec3<W> n(normal);
-        auto height = height_above<W>(n, point, ray.origin);
-        crossing<W> c = cross_plane(n, vec3<W>(ray.direction), height.value, height.error);
-        keep_if_reachable<T>(ray, c);
+        return crossings(line<W, R>{ray});
+    }
+
+    template <class W, real R>
+    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
+        const auto n = line.given(normal);
+        const auto to_plane = dot(n, line.to(point)), speed = dot(n, line.direction());
+        crossing<W> c = crossing_at(is_positive(abs(speed)), to_plane * inverse(speed), speed.value < W(0));
+        keep_if_reachable<T>(line.ray, c);
         return c;
     }
 

@@ -4,6 +4,7 @@
 #include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
+#include <raio/proof/line.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {
@@ -71,7 +72,19 @@ struct ring {
 
     template <class W, real R>
     RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
-        return detail::between_rims(cross_plane_about<W>(center, normal, ray), inner_radius, outer_radius);
+        return crossings(line<W, R>{ray});
+    }
+
+    template <class W, real R>
+    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
+        const auto n = line.given(normal), d = line.direction();
+        const auto inner = line.given(inner_radius), outer = line.given(outer_radius);
+        const auto to_center = line.to(center);
+        const auto speed = dot(n, d), t = dot(n, to_center) * inverse(speed);
+        const auto distance2 = square(d * t - to_center);
+        const auto exists = every(inner >= line.given(T(0)), outer > inner, is_positive(abs(speed)),
+                                  distance2 >= inner * inner, outer * outer >= distance2);
+        return crossing_at(exists, t, speed.value < W(0));
     }
 
     template <class X, class W>
