@@ -3,6 +3,7 @@
 #include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
+#include <raio/proof/line.hpp>
 #include <raio/proof/settle.hpp>
 
 /// \file
@@ -11,55 +12,59 @@
 
 namespace raio::detail {
 
-/// The chord through the slab between two planes across the axis, above which the ray starts so high.
-template <class W>
-RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>& above_base,
-                                      const plane_height<W>& above_top, const vec3<W>& d) {
-    using E = bound_t<W>;
-    const slope_along<W> speed = speed_across(axis, d);
-    bounded_number<W> low = speed.zero_of(above_base.value, above_base.error);
-    bounded_number<W> high = speed.zero_of(above_top.value, above_top.error);
-    const mask_t<W> yes = W(0) == W(0), upward = !(speed.value < W(0));
+/// The chord through the slab between two planes across the axis.
+/// \param to_base, to_top  how far it is along the axis from where the line has t = 0 to each plane, times the length of
+///                         the axis
+template <class W, proven_vector A>
+RAIO_FN constexpr chord<W> cross_slab(const A& axis, const bounded_number<W>& to_base, const bounded_number<W>& to_top,
+                                      const given_vector<W>& d) {
+    const bounded_number<W> speed = dot(axis, d), over = inverse(speed), low = to_base * over, high = to_top * over;
+    const auto crosses = is_positive(abs(speed));
+    const mask_t<W> upward = !(speed.value < W(0));
     const index_t<W> base_face(1), top_face(2);
-    // Each plane has an error of its own: at a tip that lies in one, it is all but none.
-    E near_error = select(upward, low.error, high.error), far_error = select(upward, high.error, low.error);
-    chord<W> c{{yes, speed.certain, min(low.value, high.value), near_error, yes, select(upward, base_face, top_face)},
-               {yes, speed.certain, max(low.value, high.value), far_error, !yes, select(upward, top_face, base_face)}};
-    const mask_t<W> parallel = !speed.exists;
-    if (any(parallel)) {
-        const mask_t<W> between =
-            every(above_base.value >= -tie<W>(above_base.error), above_top.value <= tie<W>(above_top.error));
-        const mask_t<W> decided =
-            every(abs(above_base.value) > above_base.error, abs(above_top.value) > above_top.error);
-        c.near.t = select(parallel, -infinity<W>, c.near.t);
-        c.far.t = select(parallel, infinity<W>, c.far.t);
-        c.near.exists = c.far.exists = some(!parallel, between);
-        c.near.certain = c.far.certain = every(speed.certain, some(!parallel, decided));
-    }
-    return c;
+    chord<W> c = between(crosses, choose_where(upward, low, high), choose_where(upward, high, low));
+    c.near.face = select(upward, base_face, top_face), c.far.face = select(upward, top_face, base_face);
+    if (all(crosses.certainly)) return c;
+
+    // A line that is parallel to the planes is between them everywhere or nowhere.
+    return unless(!crosses, c, every(is_not_negative(-to_base), is_not_negative(to_top)));
 }
 
 /// The chord through the slab between the two planes that the caps lie in.
 template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const line<W, R>& line) {
+    const auto axis = line.between(base, top);
+    return cross_slab<W>(axis, dot(axis, line.to(base)), dot(axis, line.to(top)), line.direction());
+}
+template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
-    vec3<W> axis = difference_as<W>(top, base);
-    return cross_slab(axis, height_above<W>(axis, base, ray.origin), height_above<W>(axis, top, ray.origin),
-                      vec3<W>(ray.direction));
+    return cross_cap_planes(base, top, line<W, R>{ray});
+}
+
+template <class W>  // of those that do not know their errors yet
+RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>& above_base,
+                                      const plane_height<W>& above_top, const vec3<W>& d) {
+    return cross_slab<W>(rounded_vector<W, 1>{axis.x, axis.y, axis.z},
+                         bounded_number<W>(-above_base.value, above_base.error),
+                         bounded_number<W>(-above_top.value, above_top.error), given_vector<W>{d.x, d.y, d.z});
 }
 
 /// The chord below the plane of the upper cap alone.
 template <class W, real T, real R>
+RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const line<W, R>& line) {
+    const auto axis = line.between(base, top);
+    const auto to_top = dot(axis, line.to(top)), speed = dot(axis, line.direction());
+    const auto t = to_top * inverse(speed), crosses = is_positive(abs(speed));
+    const mask_t<W> upward = speed.value > W(0);
+    chord<W> c = between(crosses, t, t);
+    c.near.face = c.far.face = index_t<W>(2);
+    begin_never_where(upward, c), end_never_where(!upward, c);
+    return unless(!crosses, c, is_not_negative(to_top));
+}
+
+template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
-    vec3<W> axis = difference_as<W>(top, base);
-    auto above = height_above<W>(axis, top, ray.origin);
-    crossing<W> plane = cross_plane(axis, vec3<W>(ray.direction), above.value, above.error);
-    const mask_t<W> parallel = !plane.exists, upward = !plane.entering, yes = W(0) == W(0);
-    const mask_t<W> exists = some(!parallel, above.value <= tie<W>(above.error));
-    const mask_t<W> certain = every(plane.certain, some(!parallel, abs(above.value) > above.error));
-    W near = select(some(parallel, upward), -infinity<W>, plane.t);
-    W far = select(some(parallel, !upward), infinity<W>, plane.t);
-    const index_t<W> top_face(2);
-    return {{exists, certain, near, plane.error, yes, top_face}, {exists, certain, far, plane.error, !yes, top_face}};
+    return cross_upper_plane(base, top, line<W, R>{ray});
 }
 
 /// The crossing, if it lies in the slab: what an open side keeps of those of the endless surface.

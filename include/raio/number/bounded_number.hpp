@@ -30,19 +30,17 @@ using given_number = rounded_number<W, 0>;
 
 namespace detail {
 
-/// What the smallest numbers lose of their digits is less than this: of products of floats in float, of doubles.
+/// What the smallest numbers lose of their digits comes to less than this in the end, where nothing is divided by less
+/// than `least_divisor`. Bounds do not count it on the way.
 template <class W>
-inline constexpr double lost = std::same_as<scalar_t<W>, float> ? 0x1p-100 : 0x1p-960;
+inline constexpr double lost = std::same_as<scalar_t<W>, float> ? 0x1p-90 : 0x1p-960;
+template <class W>
+inline constexpr double least_divisor = std::same_as<scalar_t<W>, float> ? 0x1p-50 : 0x1p-900;
 
 /// So many roundings of numbers of this size.
 template <class W>
 RAIO_FN constexpr bound_t<W> roundings(int count, const bound_t<W>& size) {
-    using E = bound_t<W>;
-    if constexpr (std::same_as<scalar_t<W>, float>) {
-        return E(count * unit_roundoff<W>) * size + E(lost<W>);
-    } else {
-        return E(count * unit_roundoff<W>) * size;
-    }
+    return bound_t<W>(count * unit_roundoff<W>) * size;
 }
 
 }  // namespace detail
@@ -70,6 +68,12 @@ namespace detail {
 template <class W>
 RAIO_FN constexpr bound_t<W> rounded_up(const bound_t<W>& error) {
     return error * bound_t<W>(1 + 0x1p-16);
+}
+
+/// How far a number may be off, everything counted.
+template <class W>
+RAIO_FN constexpr bound_t<W> limit_of(const bounded_number<W>& a) {
+    return rounded_up<W>(a.error) + bound_t<W>(lost<W>);
 }
 
 template <class N>
@@ -137,13 +141,13 @@ RAIO_FN constexpr bounded_number<W> inverse(const bounded_number<W>& a) {
     W over = quotient(W(1), a.value, W(infinity<W>));
     // |1 / a - 1 / a'| = |a - a'| / |a a'|, and |a'| is at least half of |a|.
     E size = abs(E(over)), error = E(2) * a.error * size * size + detail::roundings<W>(1, size);
-    const mask_t<E> is_apart = size_of(a) > E(2) * a.error + E(detail::lost<W>);
+    const mask_t<E> is_apart = size_of(a) > E(2) * a.error + E(detail::least_divisor<W>);
     return {over, select(is_apart, error, E(infinity<E>))};
 }
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, K + 1> inverse(const rounded_number<W, K>& a) {
     using E = bound_t<W>;
-    const mask_t<W> is_apart = size_of(a) > E(detail::lost<W>);
+    const mask_t<W> is_apart = size_of(a) > E(detail::least_divisor<W>);
     return {select(is_apart, W(1), W(std::numeric_limits<scalar_t<W>>::quiet_NaN())) / select(is_apart, a.value, W(1))};
 }
 
@@ -177,7 +181,7 @@ RAIO_FN constexpr auto operator>=(const A& a, const B& b) {
     using W = typename A::number;
     using E = bound_t<W>;
     const bounded_number<W> difference = a - b;
-    E off = detail::rounded_up<W>(difference.error) + E(detail::lost<W>), room(0);
+    E off = detail::limit_of(difference), room(0);
     if constexpr (last_precision<W>) room = min(off, E(0x1p-30) * (size_of(a) + size_of(b)));
     return verdict<mask_t<W>>{difference.value > W(off), !(difference.value < -W(off)), difference.value >= -W(room)};
 }
@@ -212,8 +216,7 @@ RAIO_FN constexpr verdict<mask_t<W>> is_positive(const rounded_number<W, K>& a) 
 /// Is it not below zero? What cannot be told from zero is a tie, and holds.
 template <class W>
 RAIO_FN constexpr verdict<mask_t<W>> is_not_negative(const bounded_number<W>& a) {
-    using E = bound_t<W>;
-    W off(detail::rounded_up<W>(a.error) + E(detail::lost<W>));
+    W off(detail::limit_of(a));
     const mask_t<W> possibly = !(a.value < -off);
     return {a.value > off, possibly, last_precision<W> ? possibly : a.value >= W(0)};
 }
@@ -227,6 +230,19 @@ RAIO_FN constexpr bounded_number<W> select(const verdict<mask_t<W>>& where, cons
     // Where that is in doubt, the other one is covered as well.
     E both = max(chosen, other + abs(E(a.value - b.value)));
     return {value, select(mask_t<E>(every(where.possibly, !where.certainly)), both, chosen)};
+}
+
+/// What is made of a verdict: as long as there is a closer look at it, what is in doubt may hold.
+template <class W>
+RAIO_FN constexpr mask_t<W> answer_of(const verdict<mask_t<W>>& a) {
+    return has_closer_look<W> ? a.possibly : a.yes;
+}
+
+/// One of two numbers, in each lane that which is known to be meant.
+template <class W>
+RAIO_FN constexpr bounded_number<W> choose_where(const mask_t<W>& where, const bounded_number<W>& a,
+                                                 const bounded_number<W>& b) {
+    return {select(where, a.value, b.value), select(mask_t<bound_t<W>>(where), a.error, b.error)};
 }
 
 /// The larger of two. The one that was passed over counts as far as its error reaches beyond the other.

@@ -21,6 +21,12 @@ RAIO_FN constexpr verdict<Mask> operator!(const verdict<Mask>& a) {
     return {!a.possibly, !a.certainly, !a.yes};
 }
 
+/// Is it beyond doubt?
+template <class Mask>
+RAIO_FN constexpr Mask is_settled(const verdict<Mask>& a) {
+    return some(a.certainly, !a.possibly);
+}
+
 template <class Mask, std::same_as<verdict<Mask>>... More>
 RAIO_FN constexpr verdict<Mask> every(const verdict<Mask>& a, const More&... more) {
     return {every(a.certainly, more.certainly...), every(a.possibly, more.possibly...), every(a.yes, more.yes...)};

@@ -63,10 +63,9 @@ RAIO_FN constexpr void start_on_surface(chord<W>& c, auto starts) {
 template <class W>
 RAIO_FN constexpr chord<W> between(const verdict<mask_t<W>>& exists, const bounded_number<W>& near,
                                    const bounded_number<W>& far) {
-    const mask_t<W> yes = has_closer_look<W> ? exists.possibly : exists.yes;
-    const mask_t<W> certain = some(exists.certainly, !exists.possibly);
-    return {{yes, certain, near.value, detail::rounded_up<W>(near.error), yes},
-            {yes, certain, far.value, detail::rounded_up<W>(far.error), !yes}};
+    const mask_t<W> yes = answer_of<W>(exists), certain = is_settled(exists), entering(true);
+    return {{yes, certain, near.value, detail::limit_of(near), entering},
+            {yes, certain, far.value, detail::limit_of(far), !entering}};
 }
 
 /// The two solutions of a t^2 - 2 b t + c = 0, the lower one first; a is above 0.
@@ -125,12 +124,31 @@ RAIO_FN constexpr chord<W> everywhere() {
     return {{yes, yes, -infinity<W>, none, yes}, {yes, yes, infinity<W>, none, !yes}};
 }
 
-/// Lets a chord go on for ever in these lanes, if there is one.
+/// Lets a chord begin nowhere, end nowhere, or neither, in these lanes.
+template <class W>
+RAIO_FN constexpr void begin_never_where(const mask_t<W>& where, chord<W>& c) {
+    c.near.t = select(where, W(-infinity<W>), c.near.t), c.near.error = select(where, bound_t<W>(0), c.near.error);
+}
+template <class W>
+RAIO_FN constexpr void end_never_where(const mask_t<W>& where, chord<W>& c) {
+    c.far.t = select(where, W(infinity<W>), c.far.t), c.far.error = select(where, bound_t<W>(0), c.far.error);
+}
 template <class W>
 RAIO_FN constexpr void keep_going_where(const mask_t<W>& where, chord<W>& c) {
-    const bound_t<W> none(0);
-    c.near.t = select(where, W(-infinity<W>), c.near.t), c.near.error = select(where, none, c.near.error);
-    c.far.t = select(where, W(infinity<W>), c.far.t), c.far.error = select(where, none, c.far.error);
+    begin_never_where(where, c), end_never_where(where, c);
+}
+
+/// A chord, unless the line is parallel to what it ends at: then all of the line is inside, or nothing.
+template <class W>
+RAIO_FN constexpr chord<W> unless(const verdict<mask_t<W>>& parallel, chord<W> c, const verdict<mask_t<W>>& inside) {
+    const mask_t<W> along = parallel.yes, exists = answer_of<W>(inside);
+    const mask_t<W> certain = every(is_settled(parallel), some(!along, is_settled(inside)));
+    for (crossing<W>* end : {&c.near, &c.far}) {
+        end->exists = some(every(along, exists), every(!along, end->exists));
+        end->certain = every(certain, some(along, end->certain));
+    }
+    keep_going_where(along, c);
+    return c;
 }
 
 /// The chord of two convex solids that are convex together: from where the line enters the first to where it leaves the

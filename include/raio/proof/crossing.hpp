@@ -203,10 +203,10 @@ RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value
 template <class W>
 RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, const bounded_number<W>& t,
                                           const mask_t<W>& entering) {
-    return {.exists = has_closer_look<W> ? exists.possibly : exists.yes,
-            .certain = some(exists.certainly, !exists.possibly),
+    return {.exists = answer_of<W>(exists),
+            .certain = is_settled(exists),
             .t = t.value,
-            .error = detail::rounded_up<W>(t.error),
+            .error = detail::limit_of(t),
             .entering = entering};
 }
 

@@ -43,10 +43,8 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     const auto [near, far] = quadratic_roots(a, dot(m, n), beside2 - inner2, sqrt(axis2 * (ar2 - passed2)));
     if (all(is_apart.certainly)) return between(crosses, near, far);
 
-    const auto inside = every(is_positive(r), is_positive(inner2), !is_apart, beside2 <= inner2);
-    chord<W> c = between(some(every(is_apart, crosses), inside), near, far);
-    keep_going_where(!is_apart.yes, c);
-    return c;
+    const auto inside = every(is_positive(r), is_positive(inner2), beside2 <= inner2);
+    return unless(!is_apart, between(crosses, near, far), inside);
 }
 
 /// What is missing of a crossing: the side is that of revolution that keeps its distance from the axis.
