@@ -53,13 +53,7 @@ RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const line<W, R>& line) {
     const auto axis = line.between(base, top);
-    const auto to_top = dot(axis, line.to(top)), speed = dot(axis, line.direction());
-    const auto t = to_top * inverse(speed), crosses = is_positive(abs(speed));
-    const mask_t<W> upward = speed.value > W(0);
-    chord<W> c = between(crosses, t, t);
-    c.near.face = c.far.face = index_t<W>(2);
-    begin_never_where(upward, c), end_never_where(!upward, c);
-    return unless(!crosses, c, is_not_negative(to_top));
+    return cross_half_space(dot(axis, line.from(top)), dot(axis, line.direction()), index_t<W>(2));
 }
 
 template <class W, real T, real R>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <raio/hit_record.hpp>
-#include <raio/proof/crossing.hpp>
+#include <raio/proof/chord.hpp>
 #include <raio/proof/refine.hpp>
 
 namespace raio {
@@ -88,6 +88,21 @@ RAIO_FN constexpr crossing_about<W> cross_plane_about(const vec3<T>& center, con
     vec3<W> n(normal), l = difference_as<W>(ray.origin, center);
     return cross_plane_about(n, l, norm1(vec3<bound_t<W>>(l)), height_above<W>(n, center, ray.origin),
                              vec3<W>(ray.direction));
+}
+
+/// The part of a line behind a plane: from its crossing on, up to it, or all or nothing if it runs parallel.
+/// \param height  of the point where the line has t = 0, times the length of the normal
+/// \param speed   how fast the height grows
+template <class W>
+RAIO_FN constexpr chord<W> cross_half_space(const bounded_number<W>& height, const bounded_number<W>& speed,
+                                            const index_t<W>& face) {
+    const bounded_number<W> t = -height * inverse(speed);
+    const auto crosses = is_positive(abs(speed));
+    const mask_t<W> leaves = speed.value > W(0);
+    chord<W> c = between(crosses, t, t);
+    c.near.face = c.far.face = face;
+    begin_never_where(leaves, c), end_never_where(!leaves, c);
+    return unless(!crosses, c, is_not_negative(-height));
 }
 
 /// Puts the recorded point onto its plane if that runs across an axis, as bounds without a thickness expect it: one

@@ -32,10 +32,15 @@ namespace detail {
 
 /// What the smallest numbers lose of their digits comes to less than this in the end, where nothing is divided by less
 /// than `least_divisor`. Bounds do not count it on the way.
+/// (Numbers with a larger range than a double's lose nothing.)
 template <class W>
-inline constexpr double lost = std::same_as<scalar_t<W>, float> ? 0x1p-90 : 0x1p-960;
+inline constexpr double lost = std::numeric_limits<scalar_t<W>>::max_exponent > 1024 ? 0
+                               : std::same_as<scalar_t<W>, float>                   ? 0x1p-90
+                                                                                    : 0x1p-960;
 template <class W>
-inline constexpr double least_divisor = std::same_as<scalar_t<W>, float> ? 0x1p-50 : 0x1p-900;
+inline constexpr double least_divisor = std::numeric_limits<scalar_t<W>>::max_exponent > 1024 ? 0
+                                        : std::same_as<scalar_t<W>, float>                   ? 0x1p-50
+                                                                                             : 0x1p-900;
 
 /// So many roundings of numbers of this size.
 template <class W>
@@ -217,8 +222,8 @@ RAIO_FN constexpr verdict<mask_t<W>> is_positive(const rounded_number<W, K>& a) 
 template <class W>
 RAIO_FN constexpr verdict<mask_t<W>> is_not_negative(const bounded_number<W>& a) {
     W off(detail::limit_of(a));
-    const mask_t<W> possibly = !(a.value < -off);
-    return {a.value > off, possibly, last_precision<W> ? possibly : a.value >= W(0)};
+    const mask_t<W> yes = last_precision<W> ? every(a.value >= -off, is_finite(off)) : a.value >= W(0);
+    return {a.value > off, !(a.value < -off), yes};
 }
 
 template <class W>
@@ -243,6 +248,16 @@ template <class W>
 RAIO_FN constexpr bounded_number<W> choose_where(const mask_t<W>& where, const bounded_number<W>& a,
                                                  const bounded_number<W>& b) {
     return {select(where, a.value, b.value), select(mask_t<bound_t<W>>(where), a.error, b.error)};
+}
+
+/// The same of something that is to be found there: to the last precision what is infinitely far off does not exist.
+template <class W>
+RAIO_FN constexpr mask_t<W> answer_of(const verdict<mask_t<W>>& exists, const bounded_number<W>& there) {
+    if constexpr (last_precision<W>) {
+        return every(exists.yes, is_finite(there.error));
+    } else {
+        return answer_of<W>(exists);
+    }
 }
 
 /// The larger of two. The one that was passed over counts as far as its error reaches beyond the other.

@@ -63,7 +63,8 @@ RAIO_FN constexpr void start_on_surface(chord<W>& c, auto starts) {
 template <class W>
 RAIO_FN constexpr chord<W> between(const verdict<mask_t<W>>& exists, const bounded_number<W>& near,
                                    const bounded_number<W>& far) {
-    const mask_t<W> yes = answer_of<W>(exists), certain = is_settled(exists), entering(true);
+    const mask_t<W> yes = every(answer_of(exists, near), answer_of(exists, far)), entering(true);
+    const mask_t<W> certain = every(is_settled(exists), mask_t<W>(is_finite(near.error + far.error)));
     return {{yes, certain, near.value, detail::limit_of(near), entering},
             {yes, certain, far.value, detail::limit_of(far), !entering}};
 }
@@ -96,6 +97,22 @@ RAIO_FN constexpr root_pair<W> quadratic_roots(const A& a, const bounded_number<
         if (better.error < small.error) small = better;
     }
     return {near, far};
+}
+
+/// Which lanes' lines miss, beyond doubt?
+template <class W>
+RAIO_FN constexpr mask_t<W> is_certainly_missed(const chord<W>& c) {
+    return every(c.near.certain, !c.near.exists);
+}
+
+/// The same chord, but only if this holds as well.
+template <class W>
+RAIO_FN constexpr chord<W> only_if(const verdict<mask_t<W>>& holds, chord<W> c) {
+    for (crossing<W>* end : {&c.near, &c.far}) {
+        end->certain = some(every(end->certain, is_settled(holds)), !holds.possibly, every(end->certain, !end->exists));
+        end->exists = every(end->exists, answer_of<W>(holds));
+    }
+    return c;
 }
 
 /// The chord of a line that misses, or may miss.
@@ -186,7 +203,8 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     E near_error = error(near, a.near, b.near), far_error = error(far, a.far, b.far), slack = near_error + far_error;
     const mask_t<W> missed = some(every(a.near.certain, !a.near.exists), every(b.near.certain, !b.near.exists));
     const mask_t<W> decided = every(a.near.certain, b.near.certain, abs(inside) > slack);
-    const mask_t<W> exists = every(a.near.exists, b.near.exists, inside >= -tie<W>(slack));
+    E size = abs(E(near)) + abs(E(far));
+    const mask_t<W> exists = every(a.near.exists, b.near.exists, inside >= -tie<W>(slack, size));
     const mask_t<W> certain = some(missed, decided);
     if constexpr (last_precision<W>) {  // what cannot be told from a point is one, where that is known best
         const mask_t<W> is_point = every(exists, inside < W(0));

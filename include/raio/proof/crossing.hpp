@@ -203,8 +203,8 @@ RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value
 template <class W>
 RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, const bounded_number<W>& t,
                                           const mask_t<W>& entering) {
-    return {.exists = answer_of<W>(exists),
-            .certain = is_settled(exists),
+    return {.exists = answer_of(exists, t),
+            .certain = every(is_settled(exists), mask_t<W>(is_finite(t.error))),
             .t = t.value,
             .error = detail::limit_of(t),
             .entering = entering};

@@ -45,17 +45,19 @@ struct capsule {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = detail::cross_endless_cylinder<W>(base, top, radius, ray);
+        return crossings(line<W, R>{ray});
+    }
+
+    template <class W, real R>
+    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
+        chord<W> c = detail::cross_endless_cylinder(base, top, radius, line);
         if (missed(c)) return c;
-        c = intersect(c, detail::cross_cap_planes<W>(base, top, ray));
-        c = detail::with_round_ends(c, low_end(), high_end(), ray);
+        c = intersect(c, detail::cross_cap_planes(base, top, line));
+        c = detail::with_round_ends(c, low_end(), high_end(), line.ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
-        vec3<W> axis = difference_as<W>(top, base);
-        const mask_t<W> slim = W(radius) * W(radius) < W(0x1p-120) * dot(axis, axis);
-        const mask_t<W> sound = every(is_finite(base), is_finite(top), !slim);
-        c.near.exists = every(c.near.exists, sound);
-        c.far.exists = every(c.far.exists, sound);
-        keep_if_reachable<T>(ray, c);
+        const auto r = line.given(radius), slim = line.given(T(0x1p-120));
+        c = only_if(r * r >= square(line.between(base, top)) * slim, c);
+        keep_if_reachable<T>(line.ray, c);
         return c;
     }
 

@@ -5,6 +5,7 @@
 #include <raio/concepts.hpp>
 #include <raio/formula/plane.hpp>
 #include <raio/formula/polyhedron_faces.hpp>
+#include <raio/proof/line.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
 #include <raio/proof/lanes.hpp>
@@ -102,27 +103,22 @@ struct convex_polyhedron {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        using E = bound_t<W>;
-        vec3<W> origin(ray.origin), direction(ray.direction);
-        // How far the origin is from zero, in t: what its rounding errors are a part of.
-        [[maybe_unused]] E start = quotient(norm1(vec3<E>(origin)), norm1(vec3<E>(direction)), E(0));
+        return crossings(line<W, R>{ray});
+    }
+
+    template <class W, real R>
+    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
+        const auto origin = line.from(vec3<T>(T(0)));
         chord<W> c = everywhere<W>();
-        [[maybe_unused]] W entered = c.near.t, left = c.far.t;
         index_t<W> face{};
         for (const half_space<T>& plane : planes) {
-            chord<W> part = behind(plane, origin, direction, face);
-            if constexpr (last_precision<W>) {
-                // Where a line crosses a plane in which it all but lies may be anywhere. That is no reason to be inside
-                // elsewhere, nor if it has left one of the others before it enters another, beyond doubt.
-                const auto doubt = [&](const crossing<W>& x) { return W(tie<W>(x.error, start + abs(E(x.t)))); };
-                entered = max(entered, part.near.t - doubt(part.near)), left = min(left, part.far.t + doubt(part.far));
-            }
-            c = intersect(c, part);
-            if (all(c.near.certain && !c.near.exists)) break;
+            const auto n = line.given(plane.normal);
+            const auto height = dot(n, origin) + line.given(plane.offset), speed = dot(n, line.direction());
+            c = intersect(c, cross_half_space(height, speed, face));
+            if (all(is_certainly_missed(c))) break;
             face = face + index_t<W>(1);
         }
-        if constexpr (last_precision<W>) c.near.exists = c.far.exists = every(c.near.exists, !(entered > left));
-        keep_if_reachable<T>(ray, c);
+        keep_if_reachable<T>(line.ray, c);
         return c;
     }
 
@@ -176,31 +172,6 @@ private:
             }
             return met;
         }
-    }
-
-    /// The part of a line that is behind one plane: from its crossing on, up to it, or all or nothing if it runs
-    /// parallel.
-    template <class W>
-    RAIO_FN static constexpr chord<W> behind(const half_space<T>& plane, const vec3<W>& origin,
-                                             const vec3<W>& direction, index_t<W> face) {
-        using E = bound_t<W>;
-        vec3<W> n(plane.normal);
-        W height = dot(n, origin) + W(plane.offset);
-        E sizes = dot(abs(vec3<E>(n)), abs(vec3<E>(origin))) + abs(E(plane.offset));
-        E height_error = E(5 * unit_roundoff<W>) * sizes;
-        crossing<W> c = cross_plane(n, direction, height, height_error);
-        c.face = face;
-
-        const mask_t<W> parallel = !c.exists;
-        c.exists = every(some(!parallel, height <= tie<W>(height_error)), is_finite(height));
-        c.certain = every(c.certain, some(!parallel, abs(height) > height_error));
-        chord<W> inside{c, c};
-        W inf = infinity<W>, ahead = select(c.entering, inf, -inf);
-        inside.near.t = select(parallel, -infinity<W>, min(c.t, ahead));
-        inside.far.t = select(parallel, infinity<W>, max(c.t, ahead));
-        inside.near.entering = W(0) == W(0);
-        inside.far.entering = !inside.near.entering;
-        return inside;
     }
 };
 
