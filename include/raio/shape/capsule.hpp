@@ -51,12 +51,13 @@ struct capsule {
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
         chord<W> c = detail::cross_endless_cylinder(base, top, radius, line);
-        if (missed(c)) return c;
+        const auto axis2 = square(line.between(base, top));
+        if (missed(c) && all(is_positive(axis2).certainly)) return c;  // without an axis there still is a sphere
         c = intersect(c, detail::cross_cap_planes(base, top, line));
         c = detail::with_round_ends(c, low_end(), high_end(), line.ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         const auto r = line.given(radius), slim = line.given(T(0x1p-120));
-        c = only_if(r * r >= square(line.between(base, top)) * slim, c);
+        c = only_if(r * r >= axis2 * slim, c);
         keep_if_reachable<T>(line.ray, c);
         return c;
     }
