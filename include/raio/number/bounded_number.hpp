@@ -250,6 +250,12 @@ RAIO_FN constexpr bounded_number<W> choose_where(const mask_t<W>& where, const b
     return {select(where, a.value, b.value), select(mask_t<bound_t<W>>(where), a.error, b.error)};
 }
 
+/// Is it beyond doubt that something is to be found there, or nowhere?
+template <class W>
+RAIO_FN constexpr mask_t<W> is_settled_at(const verdict<mask_t<W>>& exists, const bounded_number<W>& there) {
+    return some(every(exists.certainly, mask_t<W>(is_finite(there.error))), !exists.possibly);
+}
+
 /// The same of something that is to be found there: to the last precision what is infinitely far off does not exist.
 template <class W>
 RAIO_FN constexpr mask_t<W> answer_of(const verdict<mask_t<W>>& exists, const bounded_number<W>& there) {

@@ -64,7 +64,7 @@ template <class W>
 RAIO_FN constexpr chord<W> between(const verdict<mask_t<W>>& exists, const bounded_number<W>& near,
                                    const bounded_number<W>& far) {
     const mask_t<W> yes = every(answer_of(exists, near), answer_of(exists, far)), entering(true);
-    const mask_t<W> certain = every(is_settled(exists), mask_t<W>(is_finite(near.error + far.error)));
+    const mask_t<W> certain = every(is_settled_at(exists, near), is_settled_at(exists, far));
     return {{yes, certain, near.value, detail::limit_of(near), entering},
             {yes, certain, far.value, detail::limit_of(far), !entering}};
 }
@@ -108,10 +108,12 @@ RAIO_FN constexpr mask_t<W> is_certainly_missed(const chord<W>& c) {
 /// The same chord, but only if this holds as well.
 template <class W>
 RAIO_FN constexpr chord<W> only_if(const verdict<mask_t<W>>& holds, chord<W> c) {
-    for (crossing<W>* end : {&c.near, &c.far}) {
-        end->certain = some(every(end->certain, is_settled(holds)), !holds.possibly, every(end->certain, !end->exists));
-        end->exists = every(end->exists, answer_of<W>(holds));
-    }
+    const mask_t<W> settled = is_settled(holds), never = !holds.possibly, may = answer_of<W>(holds);
+    const auto kept = [&](crossing<W>& end) {
+        end.certain = some(every(end.certain, some(settled, !end.exists)), never);
+        end.exists = every(end.exists, may);
+    };
+    kept(c.near), kept(c.far);
     return c;
 }
 
@@ -158,12 +160,13 @@ RAIO_FN constexpr void keep_going_where(const mask_t<W>& where, chord<W>& c) {
 /// A chord, unless the line is parallel to what it ends at: then all of the line is inside, or nothing.
 template <class W>
 RAIO_FN constexpr chord<W> unless(const verdict<mask_t<W>>& parallel, chord<W> c, const verdict<mask_t<W>>& inside) {
-    const mask_t<W> along = parallel.yes, exists = answer_of<W>(inside);
-    const mask_t<W> certain = every(is_settled(parallel), some(!along, is_settled(inside)));
-    for (crossing<W>* end : {&c.near, &c.far}) {
-        end->exists = some(every(along, exists), every(!along, end->exists));
-        end->certain = every(certain, some(along, end->certain));
-    }
+    const mask_t<W> along = parallel.yes, exists = every(along, answer_of<W>(inside));
+    const mask_t<W> known = every(is_settled(parallel), some(!along, is_settled(inside)));
+    const auto put = [&](crossing<W>& end) {
+        end.exists = some(exists, every(!along, end.exists));
+        end.certain = every(known, some(along, end.certain));
+    };
+    put(c.near), put(c.far);
     keep_going_where(along, c);
     return c;
 }

@@ -204,7 +204,7 @@ template <class W>
 RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, const bounded_number<W>& t,
                                           const mask_t<W>& entering) {
     return {.exists = answer_of(exists, t),
-            .certain = every(is_settled(exists), mask_t<W>(is_finite(t.error))),
+            .certain = is_settled_at(exists, t),
             .t = t.value,
             .error = detail::limit_of(t),
             .entering = entering};
