@@ -209,6 +209,33 @@ RAIO_FN constexpr verdict<mask_t<W>> is_positive(const rounded_number<W, K>& a) 
     return {above, K == 0 ? above : !(a.value <= -off), above};
 }
 
+/// Is it anything but zero? What the last precision cannot tell from zero is zero to it.
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> is_not_zero(const bounded_number<W>& a) {
+    using E = bound_t<W>;
+    E size = size_of(a), off = detail::rounded_up<W>(a.error) + E(detail::lost<W>);
+    const mask_t<W> is_known = size > off, yes = size > E(0);
+    return {is_known, some(yes, off > E(0)), last_precision<W> ? is_known : yes};
+}
+
+/// Is it not below zero? What cannot be told from zero is a tie, and holds, if it is no more than a 2^30th of `whole`,
+/// whose part it is.
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> is_not_negative(const bounded_number<W>& a, const bounded_number<W>& whole) {
+    using E = bound_t<W>;
+    E off = detail::rounded_up<W>(a.error) + E(detail::lost<W>), room(0);
+    if constexpr (last_precision<W>) room = min(off, E(0x1p-30) * size_of(whole));
+    return {a.value > W(off), !(a.value < -W(off)), a.value >= -W(room)};
+}
+
+/// a, or -a where `sign` is negative. Where that is in doubt, both are covered.
+template <class W>
+RAIO_FN constexpr bounded_number<W> flip(const bounded_number<W>& a, const bounded_number<W>& sign) {
+    using E = bound_t<W>;
+    const mask_t<E> is_known = size_of(sign) > detail::rounded_up<W>(sign.error) + E(detail::lost<W>);
+    return {flip(a.value, sign.value), select(is_known, a.error, a.error + E(2) * size_of(a))};
+}
+
 template <class W>
 RAIO_FN constexpr bounded_number<W> select(const verdict<mask_t<W>>& where, const bounded_number<W>& a,
                                            const bounded_number<W>& b) {
