@@ -197,6 +197,13 @@ RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, cons
             .entering = entering};
 }
 
+/// No crossing, beyond doubt.
+template <class W>
+RAIO_FN constexpr crossing<W> missed_for_sure() {
+    const mask_t<W> no = W(0) != W(0);
+    return {.exists = no, .certain = !no, .t = W(0), .error = bound_t<W>(0), .entering = no, .missed = true};
+}
+
 /// Keeps a crossing only if the point that the line has at t and that of the surface are one. They are `apart`. The
 /// last precision may know so little of t that it could be any number; no more than a 2^30th of the surface's size is a
 /// tie.
