@@ -1,16 +1,18 @@
 #pragma once
 
+#include <raio/proof/line.hpp>
 #include <raio/proof/settle.hpp>
 
 /// \file
 /// What a triangle and a parallelogram have in common: a corner and two edges.
 ///
-/// Moeller and Trumbore (1997): the point origin + t direction = corner + u e1 + v e2 is three linear equations for t,
-/// u and v. By Cramer's rule, with s = origin - corner, p = direction x e2, q = s x e1,
+/// Moeller and Trumbore (1997): the point origin + t d = corner + u e1 + v e2 is three linear equations for t, u and v.
+/// By Cramer's rule, with s = origin - corner, p = d x e2, q = s x e1,
 ///
-///     det = e1.p,   u = s.p / det,   v = direction.q / det,   t = e2.q / det.
+///     det = e1.p,   u = s.p / det,   v = d.q / det,   t = e2.q / det.
 ///
-/// All signs are turned with that of det, and nothing is divided before it is known that the crossing counts.
+/// The signs of det, u, v and of what is left of 1 beside u and v say whether the crossing counts. All are turned with
+/// that of det, and nothing is divided before that is known.
 
 namespace raio {
 
@@ -22,28 +24,30 @@ struct edge_crossing {
     bound_t<W> size_error, u_error, v_error;
 };
 
-/// Bounds of the terms of det, and of u and v before they are divided by it.
-template <class W>
-struct edge_terms {
-    bound_t<W> size, u, v;
-};
+namespace detail {
 
+/// A bound of the terms of a.(b x c), a.b x c of the sizes: as tight as it gets where packs sieve. It is that of t,
+/// which is near zero where rays start on the surface, and all of these would have to be asked for again.
 template <class W>
-RAIO_FN constexpr edge_terms<W> terms_of_edges(const vec3<W>& e1, const vec3<W>& e2, const vec3<W>& s,
-                                               const vec3<W>& direction) {
-    using E = bound_t<W>;
-    if constexpr (last_precision<W>) {
-        return {triple_product_bound(e1, direction, e2), triple_product_bound(s, direction, e2),
-                triple_product_bound(s, direction, e1)};
-    } else {  // the same, of the sizes of the vectors: where p or q is out of range these are as well
-        E e1_size = norm1(vec3<E>(e1)), speed = norm1(vec3<E>(direction)), s_size = norm1(vec3<E>(s));
-        E p_size = with_underflow<W>(speed * norm1(vec3<E>(e2))), q_size = with_underflow<W>(s_size * e1_size);
-        return {with_underflow<W>(p_size * e1_size), with_underflow<W>(p_size * s_size),
-                with_underflow<W>(q_size * speed)};
+RAIO_FN constexpr bound_t<W> terms_of_way(const vec3<W>& a, const vec3<W>& b, const vec3<W>& c) {
+    if constexpr (!only_sieves<W>) {
+        return triple_product_bound(a, b, c);
+    } else {
+        // What small floats lose of b x c counts |a| times. It is added as the larger of that and what is lost once,
+        // twice: a product with a small |a| would be subnormal, which costs a trap.
+        return permanent(a, b, c) + with_underflow<W>(W(0)) * (W(2) * max(W(1), norm1(a)));
     }
 }
 
-/// \param inside  how far inside the shape a crossing is, of `size`, u and v: the least of u, v and what is left of
+}  // namespace detail
+
+/// The same formula for precisions that have a closer look. Leaves of trees spend their time here, so the bound is one
+/// for all numbers, derived by hand.
+///
+/// The size |a| of a vector is the sum of its components' magnitudes. Edges and s are rounded once each, a cross
+/// product rounds twice, a product with that three times. So a.(b x c) is off by at most 7 roundings of |a| |b| |c|;
+/// one more is for those of the bound. (Of the sizes, since where p or q is out of range so are these.) \param inside
+/// how far inside the shape a crossing is, of `size`, u and v: the least of u, v and what is left of
 ///                `size` beside them, or beside one of them; negative outside
 /// \param wanted  which crossings are. A line without any is asked no further
 template <class W, real R, class Inside, class Wanted = every_crossing>
@@ -56,10 +60,12 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
     W u = flip(dot(s, p), det), v = flip(dot(direction, q), det), way = flip(dot(e2, q), det);
     W within = inside(size, u, v);
 
-    // A triple product of vectors that are off by a rounding each is off by less than 8 roundings of its terms.
-    auto [size_terms, u_terms, v_terms] = terms_of_edges(e1, e2, s, direction);
+    E e1_size = norm1(vec3<E>(e1)), speed = norm1(vec3<E>(direction)), s_size = norm1(vec3<E>(s));
+    E p_size = with_underflow<W>(speed * norm1(vec3<E>(e2))), q_size = with_underflow<W>(s_size * e1_size);
+    E size_terms = with_underflow<W>(p_size * e1_size), u_terms = with_underflow<W>(p_size * s_size),
+      v_terms = with_underflow<W>(q_size * speed);
     E k(8 * unit_roundoff<W>), size_error = k * size_terms, u_error = k * u_terms, v_error = k * v_terms;
-    E error = k * (size_terms + u_terms + v_terms), way_error = k * closest_triple_product_bound(e2, s, e1);
+    E error = k * (size_terms + u_terms + v_terms), way_error = k * detail::terms_of_way(e2, s, e1);
 
     const mask_t<W> crosses = size > E(2) * size_error, outside = within < -error;
     if constexpr (!std::same_as<Wanted, known_crossing>) {
@@ -69,25 +75,16 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
             return {none, size, u, v, size_error, u_error, v_error};
         }
     }
+    // |way / size - t| is at most (way_error + |t| size_error) / (size - size_error), and size is twice its error.
     W over_size = quotient(W(1), size, W(0)), t = way * over_size;
     E t_error = E(2) * (way_error + abs(E(t)) * size_error) * E(over_size) + E(4 * unit_roundoff<W>) * abs(E(t));
     if constexpr (only_sieves<W>) {
-        // One number knows less of the error of the way, and records what it knows. Where that is more than `retrieved`
-        // takes for nothing, which is a 64th of t here, a 16th is said: the lane is asked alone if it is hit, and t
-        // keeps its sign.
+        // One number knows less of t, and records what it knows. Where that is more than `retrieved` takes for nothing,
+        // a 64th of t, a 16th is said: the lane is asked alone if it is hit, and t keeps its sign.
         E looser = E(2) * k * triple_product_bound(e2, s, e1) * E(over_size);
         t_error = max(t_error, min(looser, abs(E(t)) * E(0x1p-4)));
     }
-    mask_t<W> meets = every(size > tie<W>(size_error), within >= -tie<W>(error));
-    // A tie at a corner is much closer than the error of the far edge; and none is farther outside than 2^-30 of an
-    // edge, for which the bounds of floats have room (2^-29 of a coordinate), nor t from u and v, however little is
-    // known of a sliver.
-    if constexpr (last_precision<W>) {
-        vec3<W> apart = s + direction * t - (e1 * (u * over_size) + e2 * (v * over_size));
-        E room = E(0x1p-30) * (norm1(vec3<E>(e1)) + norm1(vec3<E>(e2)));
-        meets = every(meets, u >= -u_error, v >= -v_error, within >= W(-0x1p-30) * size, norm1(vec3<E>(apart)) <= room);
-    }
-    crossing<W> c{.exists = meets,
+    crossing<W> c{.exists = every(size > W(0), within >= W(0)),
                   .certain = every(crosses, some(outside, within > error)),
                   .t = t,
                   .error = t_error,
@@ -95,6 +92,33 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
                   .u = u * over_size,
                   .v = v * over_size};
     return {c, size, u, v, size_error, u_error, v_error};
+}
+
+/// Where a line crosses the plane of two edges.
+/// \param far  what of u and v may not be above 1
+/// \param wanted  which crossings are
+template <class W, real R, real T, proven_vector E1, proven_vector E2, class Far, class Wanted>
+RAIO_FN constexpr crossing<W> cross_edges(const line<W, R>& line, const vec3<T>& corner, const E1& e1, const E2& e2,
+                                          Far far, [[maybe_unused]] const Wanted& wanted) {
+    if constexpr (has_closer_look<W>) {
+        const auto inside = [far](const W& size, const W& u, const W& v) { return min(size - far(u, v), min(u, v)); };
+        return cross_edges(vec3<W>(corner), vec3<W>(e1.x, e1.y, e1.z), vec3<W>(e2.x, e2.y, e2.z), line.ray, inside,
+                           wanted)
+            .at;
+    } else {
+        const auto d = line.direction();
+        const auto s = line.from(corner);
+        const auto p = cross(d, e2), q = cross(s, e1);
+        const auto det = dot(e1, p), size = abs(det);
+        const auto u = flip(dot(s, p), det), v = flip(dot(d, q), det), way = flip(dot(e2, q), det);
+        const auto exists = every(is_not_zero(det), is_not_negative(u, size), is_not_negative(v, size),
+                                  is_not_negative(size - far(u, v), size));
+        const auto over_size = inverse(size), t = way * over_size, u1 = u * over_size, v1 = v * over_size;
+        crossing<W> c = crossing_at(exists, t, det.value > W(0));
+        keep_if_one_point(c, s + d * t - (e1 * u1 + e2 * v1), size_of(e1) + size_of(e2));
+        c.u = u1.value, c.v = v1.value;
+        return c;
+    }
 }
 
 /// What is missing of a crossing: t, u and v are that of the small vector `apart` from the point of the surface that it

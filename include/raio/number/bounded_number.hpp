@@ -156,6 +156,17 @@ RAIO_FN constexpr rounded_number<W, K + 1> inverse(const rounded_number<W, K>& a
     return {select(is_apart, W(1), W(std::numeric_limits<scalar_t<W>>::quiet_NaN())) / select(is_apart, a.value, W(1))};
 }
 
+/// a / b. Nothing is known of it where b may be zero.
+template <class W>
+RAIO_FN constexpr bounded_number<W> operator/(const bounded_number<W>& a, const bounded_number<W>& b) {
+    using E = bound_t<W>;
+    W over = quotient(W(1), b.value, W(infinity<W>)), t = a.value * over;
+    // a / b - a' / b' = (a - a' - (a / b) (b - b')) / b', and |b'| is at least half of |b|.
+    E size = abs(E(t)), error = E(2) * (a.error + size * b.error) * abs(E(over)) + detail::roundings<W>(3, size);
+    const mask_t<E> is_apart = size_of(b) > E(2) * b.error + E(detail::lost<W>);
+    return {t, select(is_apart, error, E(infinity<E>))};
+}
+
 /// The root, and 0 of what is negative: of what should be zero it may be an error.
 template <class W>
 RAIO_FN constexpr bounded_number<W> sqrt(const bounded_number<W>& a) {
@@ -224,6 +235,51 @@ RAIO_FN constexpr verdict<mask_t<W>> is_not_negative(const bounded_number<W>& a)
     W off(detail::limit_of(a));
     const mask_t<W> yes = last_precision<W> ? every(a.value >= -off, is_finite(off)) : a.value >= W(0);
     return {a.value > off, !(a.value < -off), yes};
+}
+
+/// Is it anything but zero? What the last precision cannot tell from zero is zero to it.
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> is_not_zero(const bounded_number<W>& a) {
+    using E = bound_t<W>;
+    E size = size_of(a), off = detail::rounded_up<W>(a.error) + E(detail::lost<W>);
+    const mask_t<W> is_known = size > off, yes = size > E(0);
+    return {is_known, some(yes, off > E(0)), last_precision<W> ? is_known : yes};
+}
+
+/// Is it not below zero, is it not above? What cannot be told from zero is a tie, and holds, if it is no more than a
+/// 2^30th of `whole`, whose part it is.
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> is_not_negative(const bounded_number<W>& a, const bounded_number<W>& whole) {
+    using E = bound_t<W>;
+    E off = detail::rounded_up<W>(a.error) + E(detail::lost<W>), room(0);
+    if constexpr (last_precision<W>) room = min(off, E(0x1p-30) * size_of(whole));
+    return {a.value > W(off), !(a.value < -W(off)), a.value >= -W(room)};
+}
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> is_not_positive(const bounded_number<W>& a, const bounded_number<W>& whole) {
+    using E = bound_t<W>;
+    E off = detail::rounded_up<W>(a.error) + E(detail::lost<W>), room(0);
+    if constexpr (last_precision<W>) room = min(off, E(0x1p-30) * size_of(whole));
+    return {a.value < -W(off), !(a.value > W(off)), a.value <= W(room)};
+}
+
+/// A number that is found in two ways: the last precision takes the one that it knows better. Others are content with
+/// the first.
+template <class W, class Find>
+RAIO_FN constexpr bounded_number<W> closer(const bounded_number<W>& a, [[maybe_unused]] Find find_again) {
+    if constexpr (last_precision<W>) {
+        const bounded_number<W> b = find_again();
+        return select(b.error < a.error, b, a);
+    }
+    return a;
+}
+
+/// a, or -a where `sign` is negative. Where that is in doubt, both are covered.
+template <class W>
+RAIO_FN constexpr bounded_number<W> flip(const bounded_number<W>& a, const bounded_number<W>& sign) {
+    using E = bound_t<W>;
+    const mask_t<E> is_known = size_of(sign) > detail::rounded_up<W>(sign.error) + E(detail::lost<W>);
+    return {flip(a.value, sign.value), select(is_known, a.error, a.error + E(2) * size_of(a))};
 }
 
 template <class W>

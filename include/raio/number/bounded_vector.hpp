@@ -117,6 +117,51 @@ RAIO_FN constexpr auto cross(const A& a, const B& b) {
                              detail::sum_of_products(a.x, b.y, -a.y, b.x), detail::error_of_product(2, a, b)};
 }
 
+/// The last component.
+template <class W, int K>
+RAIO_FN constexpr rounded_number<W, K> z_of(const rounded_vector<W, K>& v) {
+    return {v.z};
+}
+template <class W>
+RAIO_FN constexpr bounded_number<W> z_of(const bounded_vector<W>& v) {
+    return {v.z, v.error};
+}
+
+template <class W, int K>
+RAIO_FN constexpr rounded_vector<W, K> vector_of(const rounded_number<W, K>& x, const rounded_number<W, K>& y,
+                                                 const rounded_number<W, K>& z) {
+    return {x.value, y.value, z.value};
+}
+template <class W>
+RAIO_FN constexpr bounded_vector<W> vector_of(const bounded_number<W>& x, const bounded_number<W>& y,
+                                              const bounded_number<W>& z) {
+    return {x.value, y.value, z.value, x.error + y.error + z.error};
+}
+
+/// The sum of the components.
+template <class W>
+RAIO_FN constexpr bounded_number<W> sum_of(const bounded_vector<W>& v) {
+    return {v.x + v.y + v.z, v.error + detail::roundings<W>(2, size_of(v))};
+}
+
+/// The last component of a x b.
+template <class W>
+RAIO_FN constexpr bounded_number<W> cross_z(const bounded_vector<W>& a, const bounded_vector<W>& b) {
+    using E = bound_t<W>;
+    E a_size = abs(E(a.x)) + abs(E(a.y)), b_size = abs(E(b.x)) + abs(E(b.y));
+    return {detail::sum_of_products(a.x, b.y, -a.y, b.x),
+            a.error * (b_size + b.error) + a_size * (b.error + detail::roundings<W>(2, b_size))};
+}
+
+/// Moves v across the last axis, by `slope` for each step along it.
+template <class W, int K, int L>
+RAIO_FN constexpr bounded_vector<W> shear(const rounded_vector<W, K>& v, const rounded_vector<W, L>& slope) {
+    using E = bound_t<W>;
+    E slopes = E(1) + abs(E(slope.x)) + abs(E(slope.y));
+    return {v.x - slope.x * v.z, v.y - slope.y * v.z, v.z,
+            detail::roundings<W>(K + L + 2, abs(E(v.x)) + abs(E(v.y)) + slopes * abs(E(v.z)))};
+}
+
 /// v.v
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, 2 * K + 4> square(const rounded_vector<W, K>& v) {

@@ -196,6 +196,8 @@ private:
     /// a + b, without any error (Knuth, TAOCP 2, 4.2.2).
     RAIO_FN static constexpr basic_double_double exact_sum(D a, D b) {
         const D sum = a + b;
+        // Compilers do not take inf - inf for a constant.
+        if (std::is_constant_evaluated() && !all(raio::is_finite(sum))) return {sum, D(0)};
         const D b_seen = sum - a;
         return {sum, (a - (sum - b_seen)) + (b - b_seen)};
     }

@@ -189,6 +189,13 @@ RAIO_FN constexpr chord<W> unite(const chord<W>& a, const chord<W>& b) {
             chosen(every(b.far.exists, some(!a.far.exists, b.far.t > a.far.t)), a.far, b.far)};
 }
 
+/// |a - b|. Of two that are both infinite it is not a number, which compilers do not take for a constant.
+template <real W>
+RAIO_FN constexpr bound_t<W> distance_between(const W& a, const W& b) {
+    if (std::is_constant_evaluated() && all(a == b)) return bound_t<W>(0);
+    return abs(bound_t<W>(a - b));
+}
+
 /// The chord of the points that two convex solids share: from where the line has entered both to where it leaves the
 /// first. Of two faces that are crossed at the same t, that of `a` is named.
 template <real W>
@@ -197,10 +204,10 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     const mask_t<W> b_enters_later = a.near.t < b.near.t, b_leaves_first = b.far.t < a.far.t;
     // The crossing that was passed over counts as far as its error reaches beyond the chosen one.
     const auto error = [](const W& chosen, const crossing<W>& x, const crossing<W>& y) {
-        return max(E(0), max(x.error - abs(E(chosen - x.t)), y.error - abs(E(chosen - y.t))));
+        return max(E(0), max(x.error - distance_between(chosen, x.t), y.error - distance_between(chosen, y.t)));
     };
     const auto shared = [](const mask_t<W>& second, const crossing<W>& x, const crossing<W>& y) {
-        return some(abs(E(y.t - x.t)) <= x.error + y.error, every(second, y.shared), every(!second, x.shared));
+        return some(distance_between(y.t, x.t) <= x.error + y.error, every(second, y.shared), every(!second, x.shared));
     };
     W near = max(a.near.t, b.near.t), far = min(a.far.t, b.far.t), inside = far - near;
     E near_error = error(near, a.near, b.near), far_error = error(far, a.far, b.far), slack = near_error + far_error;
@@ -220,6 +227,40 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
              a.near.u, a.near.v, shared(b_enters_later, a.near, b.near)},
             {exists, certain, far, far_error, a.far.entering, select(b_leaves_first, b.far.face, a.far.face), a.far.u,
              a.far.v, shared(b_leaves_first, a.far, b.far)}};
+}
+
+/// The chord of the points between two parallel faces, low <= x <= high, from what the ray has of x. A line that runs
+/// along them is between them everywhere or nowhere. That is asked of the origin, and not of a quotient: 0 / 0 would
+/// answer neither. So is a line that would take more than W can say to cross anything.
+template <class W, real R, real T>
+RAIO_FN constexpr chord<W> between_faces(const R& origin, const R& direction, const T& low, const T& high,
+                                         const index_t<W>& face) {
+    using E = bound_t<W>;
+    W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
+    const mask_t<W> along = some(direction == R(0), !is_finite(over_d)), yes = along == along;
+    const mask_t<W> within = every(R(low) <= origin, origin <= R(high));
+    const auto way_to = [&](const T& x) {
+        W way = difference_as<W>(x, origin), t = way * over_d;
+        if constexpr (last_precision<W>) {  // whose products are no numbers beyond its range
+            if (!is_finite(t)) t = (way > W(0)) == (over_d > W(0)) ? inf : -inf;
+        }
+        return t;
+    };
+    W to_low = way_to(low), to_high = way_to(high);
+    mask_t<W> certain = yes;
+    if constexpr (has_closer_look<W>) certain = some(direction == R(0), is_finite(abs(to_low) + abs(to_high)));
+    if constexpr (std::same_as<scalar_t<W>, float>) {  // its quotient may have lost digits
+        W speed = abs(W(direction));
+        certain = every(certain, some(speed == W(0), every(speed >= W(4 * least_normal<W>), is_finite(W(16) * speed))));
+    }
+    const auto end = [&](const W& t, const mask_t<W>& entering) {
+        // The way, the quotient and the product were rounded.
+        E error = select(is_finite(t), with_underflow<W>(E(4 * unit_roundoff<W>) * abs(E(t))), E(0));
+        return crossing<W>{some(!along, within), certain, t, error, entering, face};
+    };
+    chord<W> c{end(min(to_low, to_high), yes), end(max(to_low, to_high), !yes)};
+    keep_going_where(along, c);
+    return c;
 }
 
 /// Keeps only ends whose point T can say.

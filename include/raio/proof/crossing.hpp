@@ -62,19 +62,6 @@ RAIO_FN constexpr bound_t<W> triple_product_bound(const vec3<W>& a, const vec3<W
     }
 }
 
-/// The same bound for what is near zero where rays start on the surface: packs that sieve take it as tight as it gets,
-/// or all that start there would have to be asked for again.
-template <class W>
-RAIO_FN constexpr bound_t<W> closest_triple_product_bound(const vec3<W>& a, const vec3<W>& b, const vec3<W>& c) {
-    if constexpr (!only_sieves<W>) {
-        return triple_product_bound(a, b, c);
-    } else {
-        // What small floats lose of b x c counts |a| times. It is added as the larger of that and what is lost once,
-        // twice: a product with a small |a| would be subnormal, which costs a trap.
-        return permanent(a, b, c) + with_underflow<W>(W(0)) * (W(2) * max(W(1), norm1(a)));
-    }
-}
-
 /// The only crossing there is, which is known to exist, and to be wanted.
 struct known_crossing {};
 
@@ -208,6 +195,21 @@ RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, cons
             .t = t.value,
             .error = detail::limit_of(t),
             .entering = entering};
+}
+
+/// No crossing, beyond doubt.
+template <class W>
+RAIO_FN constexpr crossing<W> missed_for_sure() {
+    const mask_t<W> no = W(0) != W(0);
+    return {.exists = no, .certain = !no, .t = W(0), .error = bound_t<W>(0), .entering = no, .missed = true};
+}
+
+/// Keeps a crossing only if the point that the line has at t and that of the surface are one. They are `apart`. The
+/// last precision may know so little of t that it could be any number; no more than a 2^30th of the surface's size is a
+/// tie.
+template <class W>
+RAIO_FN constexpr void keep_if_one_point(crossing<W>& c, const bounded_vector<W>& apart, const bound_t<W>& size) {
+    if constexpr (last_precision<W>) c.exists = every(c.exists, size_of(apart) <= bound_t<W>(0x1p-30) * size);
 }
 
 /// The point at t, as seen from another.

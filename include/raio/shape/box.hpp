@@ -1,6 +1,8 @@
 #pragma once
 
 #include <raio/concepts.hpp>
+#include <raio/proof/line.hpp>
+#include <raio/proof/settle.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {
@@ -8,8 +10,7 @@ namespace raio {
 /// The points with min <= p <= max in every coordinate.
 ///
 /// A line is inside the slab between two parallel faces from one t to another; it is inside the box where it is inside
-/// all three slabs (Kay and Kajiya 1986). A line that runs parallel to a slab is inside it everywhere or nowhere: that
-/// is asked of the origin and never of a quotient, since 0 / 0 would answer neither.
+/// all three slabs (Kay and Kajiya 1986).
 ///
 /// Faces are counted by their axis: x, y, z. uv: the two other coordinates of the point, in their order, from 0 at
 /// `min` to 1 at `max`.
@@ -53,63 +54,23 @@ struct box {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        using E = bound_t<W>;
-        W all_ways(0);  // finite only if the way to every face is
-        // Where the line enters and leaves the slab across one axis.
-        const auto slab = [&all_ways](R origin, R direction, T low, T high) {
-            W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
-            const auto way_to = [&](T face) {
-                W apart = difference_as<W>(face, origin), t = apart * over_d;
-                all_ways = all_ways + apart;
-                if constexpr (last_precision<W>) {  // whose products are no numbers beyond its range
-                    if (!is_finite(t)) t = (apart > W(0)) == (over_d > W(0)) ? inf : -inf;
-                }
-                return t;
-            };
-            W to_low = way_to(low), to_high = way_to(high);
-            vec2<W> across(raio::min(to_low, to_high), raio::max(to_low, to_high));
-            // So is a line that would take more than W can say to cross anything.
-            const mask_t<W> parallel = some(direction == R(0), !is_finite(over_d));
-            if (none(parallel)) return across;
-            const mask_t<W> within = every(R(low) <= origin, origin <= R(high));
-            return vec2<W>(select(parallel, select(within, -inf, inf), across.x),
-                           select(parallel, select(within, inf, -inf), across.y));
-        };
-        vec2<W> x = slab(ray.origin.x, ray.direction.x, min.x, max.x);
-        vec2<W> y = slab(ray.origin.y, ray.direction.y, min.y, max.y);
-        vec2<W> z = slab(ray.origin.z, ray.direction.z, min.z, max.z);
-        W near = raio::max(raio::max(x.x, y.x), z.x), far = raio::min(raio::min(x.y, y.y), z.y);
-
-        // Each t is off by less than 4 u |t|, and so are the largest and the smallest of three.
-        const auto error_of = [](const W& t) {
-            return select(is_finite(t), with_underflow<W>(E(4 * unit_roundoff<W>) * abs(E(t))), E(0));
-        };
-        E near_error = error_of(near), far_error = error_of(far);
-        W inside = far - near;
-        const mask_t<W> meets = inside >= -tie<W>(near_error + far_error);
-        mask_t<W> certain = abs(E(inside)) > near_error + far_error;
-        // Of floats a quotient of 1 may be infinite, or have lost digits; and a way, where double says how far it is.
-        // Of a direction from 2^124 on, whose quotient comes near the smallest numbers, 16 times it is infinite.
-        if constexpr (std::same_as<scalar_t<W>, float>) {
-            const auto has_quotient = [](const W& d) { return some(d == W(0), abs(d) >= W(4 * least_normal<W>)); };
-            vec3<W> d(ray.direction);
-            const mask_t<W> in_range = is_finite(abs(all_ways) + W(16) * norm1(d));
-            certain = every(certain, has_quotient(d.x), has_quotient(d.y), has_quotient(d.z), in_range);
+        if constexpr (has_closer_look<W>) {
+            return crossings_at_once<W>(ray);
+        } else {
+            return crossings(line<W, R>{ray});
         }
-        if (may_leave<W>(!meets))
-            return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
+    }
 
-        vec3<T> size = max - min;
-        // Of the three sizes the least may be zero, the middle one may not.
-        const T less = raio::min(size.x, size.y), more = raio::max(size.x, size.y), most = infinity<T>;
-        const T thinnest = raio::min(less, size.z), middle = raio::max(less, raio::min(more, size.z));
-        const mask_t<W> exists = every(meets, thinnest >= T(0), middle > T(0), size.x < most, size.y < most,
-                                       size.z < most, is_finite(ray.origin), is_finite(ray.direction));
-        const auto axis_of = [](const W& t, const W& t_x, const W& t_y) {
-            return choose(t_x == t, index_t<W>(0), choose(t_y == t, index_t<W>(1), index_t<W>(2)));
-        };
-        return {{exists, certain, near, near_error, exists, axis_of(near, x.x, y.x)},
-                {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y)}};
+    template <class W, real R>
+    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
+        const auto [origin, direction] = line.ray;
+        chord<W> x = between_faces<W>(origin.x, direction.x, min.x, max.x, 0);
+        chord<W> y = between_faces<W>(origin.y, direction.y, min.y, max.y, 1);
+        chord<W> z = between_faces<W>(origin.z, direction.z, min.z, max.z, 2);
+        chord<W> c = intersect(intersect(x, y), z);
+        const mask_t<W> exists = every(has_faces(), is_finite(origin), is_finite(direction));
+        c.near.exists = every(c.near.exists, exists), c.far.exists = every(c.far.exists, exists);
+        return c;
     }
 
     template <class X, class W>
@@ -162,6 +123,65 @@ struct box {
         };
         rec.uv = {along(choose(x, rec.point.y, rec.point.x), choose(x, min.y, min.x), choose(x, max.y, max.x)),
                   along(choose(z, rec.point.y, rec.point.z), choose(z, min.y, min.z), choose(z, max.y, max.z))};
+    }
+
+private:
+    /// Of the three sizes the least may be zero, the middle one may not.
+    RAIO_FN constexpr mask_t<T> has_faces() const {
+        vec3<T> size = max - min;
+        const T less = raio::min(size.x, size.y), more = raio::max(size.x, size.y);
+        const T thinnest = raio::min(less, size.z), middle = raio::max(less, raio::min(more, size.z));
+        return every(thinnest >= T(0), middle > T(0), is_finite(size));
+    }
+
+    /// The same formula for precisions that have a closer look. Leaves of trees spend their time here, so the bound is
+    /// derived by hand: of t the difference, the quotient and the product are rounded, which is less than 4 roundings
+    /// of it, and so are the largest and the smallest of three.
+    template <class W, real R>
+    RAIO_FN constexpr chord<W> crossings_at_once(const ray<R>& ray) const {
+        using E = bound_t<W>;
+        W all_ways(0);  // finite only if the way to every face is
+        const auto slab = [&all_ways](R origin, R direction, T low, T high) {
+            W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
+            W way_to_low = difference_as<W>(low, origin), way_to_high = difference_as<W>(high, origin);
+            all_ways = all_ways + way_to_low + way_to_high;
+            W to_low = way_to_low * over_d, to_high = way_to_high * over_d;
+            vec2<W> across(raio::min(to_low, to_high), raio::max(to_low, to_high));
+            const mask_t<W> along = some(direction == R(0), !is_finite(over_d));
+            if (none(along)) return across;
+            const mask_t<W> within = every(R(low) <= origin, origin <= R(high));
+            return vec2<W>(select(along, select(within, -inf, inf), across.x),
+                           select(along, select(within, inf, -inf), across.y));
+        };
+        vec2<W> x = slab(ray.origin.x, ray.direction.x, min.x, max.x);
+        vec2<W> y = slab(ray.origin.y, ray.direction.y, min.y, max.y);
+        vec2<W> z = slab(ray.origin.z, ray.direction.z, min.z, max.z);
+        W near = raio::max(raio::max(x.x, y.x), z.x), far = raio::min(raio::min(x.y, y.y), z.y);
+
+        const auto error_of = [](const W& t) {
+            return select(is_finite(t), with_underflow<W>(E(4 * unit_roundoff<W>) * abs(E(t))), E(0));
+        };
+        E near_error = error_of(near), far_error = error_of(far);
+        W inside = far - near;
+        const mask_t<W> meets = inside >= W(0);
+        mask_t<W> certain = abs(E(inside)) > near_error + far_error;
+        // Of floats a quotient of 1 may be infinite, or have lost digits; and a way, where double says how far it is.
+        // Of a direction from 2^124 on, whose quotient comes near the smallest numbers, 16 times it is infinite.
+        if constexpr (std::same_as<scalar_t<W>, float>) {
+            const auto has_quotient = [](const W& d) { return some(d == W(0), abs(d) >= W(4 * least_normal<W>)); };
+            vec3<W> d(ray.direction);
+            const mask_t<W> in_range = is_finite(abs(all_ways) + W(16) * norm1(d));
+            certain = every(certain, has_quotient(d.x), has_quotient(d.y), has_quotient(d.z), in_range);
+        }
+        if (may_leave<W>(!meets))
+            return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
+
+        const mask_t<W> exists = every(meets, has_faces(), is_finite(ray.origin), is_finite(ray.direction));
+        const auto axis_of = [](const W& t, const W& t_x, const W& t_y) {
+            return choose(t_x == t, index_t<W>(0), choose(t_y == t, index_t<W>(1), index_t<W>(2)));
+        };
+        return {{exists, certain, near, near_error, exists, axis_of(near, x.x, y.x)},
+                {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y)}};
     }
 };
 

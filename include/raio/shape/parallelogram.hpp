@@ -39,8 +39,13 @@ struct parallelogram {
 
     template <class W, real R, class Wanted = every_crossing>
     RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        const auto inside = [](const W& size, const W& u, const W& v) { return min(size - max(u, v), min(u, v)); };
-        return cross_edges(vec3<W>(corner), vec3<W>(edge_u), vec3<W>(edge_v), ray, inside, wanted).at;
+        return crossings(line<W, R>{ray}, wanted);
+    }
+
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line, const Wanted& wanted = {}) const {
+        const auto far = [](const auto& u, const auto& v) { return max(u, v); };
+        return cross_edges(line, corner, line.given(edge_u), line.given(edge_v), far, wanted);
     }
 
     template <class X, class W>

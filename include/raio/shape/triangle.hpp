@@ -41,9 +41,13 @@ struct triangle {
 
     template <class W, real R, class Wanted = every_crossing>
     RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        vec3<W> corner(a), e1 = vec3<W>(b) - corner, e2 = vec3<W>(c) - corner;
-        const auto inside = [](const W& size, const W& u, const W& v) { return min(size - (u + v), min(u, v)); };
-        return cross_edges(corner, e1, e2, ray, inside, wanted).at;
+        return crossings(line<W, R>{ray}, wanted);
+    }
+
+    template <class W, real R, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line, const Wanted& wanted = {}) const {
+        const auto far = [](const auto& u, const auto& v) { return u + v; };
+        return cross_edges(line, a, line.between(a, b), line.between(a, c), far, wanted);
     }
 
     template <class X, class W>

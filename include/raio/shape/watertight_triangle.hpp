@@ -10,11 +10,13 @@ namespace raio {
 /// Woop, Benthin and Wald, JCGT 2(1), 2013: the corners are moved so that the ray starts at the origin, and sheared so
 /// that it runs along its largest axis z. In the xy plane the ray is then a point, and the edge functions
 ///
-///     u = cx by - cy bx,   v = ax cy - ay cx,   w = bx ay - by ax
+///     u = cx by - cy bx,   v = ax cy - ay cx,   w = bx ay - by ax,   det = u + v + w
 ///
-/// say on which side of each edge it lies. The ray hits where none of the three differs in sign from the others.
+/// say on which side of each edge it lies. The ray hits where none of the three differs in sign from the others, at
 ///
-/// Same corners, front and uv as `triangle`, which is exact as well, but whose `crossings` in other precisions may
+///     t = (u az + v bz + w cz) / (det dz)
+///
+/// Corners, front and uv are those of `triangle`, which is exact as well, but whose `crossings` in other precisions may
 /// disagree with those of a neighbour.
 template <real T>
 struct watertight_triangle {
@@ -36,62 +38,42 @@ struct watertight_triangle {
 
     template <class W, real R>
     RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
+        return crossings(line<W, R>{ray});
+    }
+
+    template <class W, real R>
+    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
         // A rotation of the coordinates that makes the largest component of the direction the last one.
-        const auto turned = [&](const auto& v) {
-            const R x = abs(ray.direction.x), y = abs(ray.direction.y), z = abs(ray.direction.z);
-            const mask_t<T> last_is_x = x > y && x > z, last_is_y = !last_is_x && y > z;
-            return vec3<W>(W(select(last_is_x, v.y, select(last_is_y, v.z, v.x))),
-                           W(select(last_is_x, v.z, select(last_is_y, v.x, v.y))),
-                           W(select(last_is_x, v.x, select(last_is_y, v.y, v.z))));
+        const R x = abs(line.ray.direction.x), y = abs(line.ray.direction.y), z = abs(line.ray.direction.z);
+        const mask_t<R> last_is_x = x > y && x > z, last_is_y = !last_is_x && y > z;
+        const auto turned = [&]<real N>(const vec3<N>& v) {
+            return vec3<N>(select(last_is_x, v.y, select(last_is_y, v.z, v.x)),
+                           select(last_is_x, v.z, select(last_is_y, v.x, v.y)),
+                           select(last_is_x, v.x, select(last_is_y, v.y, v.z)));
         };
-        using E = bound_t<W>;
-        W zero(0);
-        vec3<W> direction = turned(ray.direction);
-        W over_z = quotient(W(1), direction.z, zero), shear_x = direction.x * over_z, shear_y = direction.y * over_z;
-        const auto sheared = [&](const vec3<T>& corner) {
-            vec3<W> from_origin = turned(difference_as<W>(corner, ray.origin));
-            return vec3<W>(from_origin.x - shear_x * from_origin.z, from_origin.y - shear_y * from_origin.z,
-                           from_origin.z);
-        };
-        vec3<W> p = sheared(a), q = sheared(b), r = sheared(c);
-        W u = r.x * q.y - r.y * q.x, v = p.x * r.y - p.y * r.x, w = q.x * p.y - q.y * p.x, det = u + v + w;
+        const raio::ray<R> turned_ray{turned(line.ray.origin), turned(line.ray.direction)};
+        const raio::line<W, R> along{turned_ray};
+        const auto d = along.direction();
+        const auto slope = d * inverse(z_of(d));
+        const auto sheared = [&](const vec3<T>& corner) { return shear(along.to(turned(corner)), slope); };
+        const auto p = sheared(a), q = sheared(b), r = sheared(c);
+        const auto u = cross_z(r, q), v = cross_z(p, r), w = cross_z(q, p);
+        const auto sides = vector_of(u, v, w);
+        const auto det = sum_of(sides);
+        const auto left = [&](const auto& side) { return is_not_negative(side, det); };
+        const auto right = [&](const auto& side) { return is_not_positive(side, det); };
+        const auto inside = some(every(left(u), left(v), left(w)), every(right(u), right(v), right(w)));
+        if (may_leave<W>(!inside.possibly)) return missed_for_sure<W>();
 
-        // A sheared corner is off by less than 10 roundings of its distance from the origin, and with it the edge
-        // functions; their own roundings count as 4 more.
-        E k = E(14 * unit_roundoff<W>), two(2);
-        const auto corner_error = [&](const vec3<W>& x) { return with_underflow<W>(k * norm1(vec3<E>(x))); };
-        const auto edge_error = [&](const vec3<W>& x, const E& x_error, const vec3<W>& y, const E& y_error) {
-            E x_size = abs(E(x.x)) + abs(E(x.y)), y_size = abs(E(y.x)) + abs(E(y.y));
-            return with_underflow<W>(x_size * y_error + y_size * x_error + two * x_error * y_error);
-        };
-        E p_error = corner_error(p), q_error = corner_error(q), r_error = corner_error(r);
-        E u_error = edge_error(r, r_error, q, q_error), v_error = edge_error(p, p_error, r, r_error);
-        E w_error = edge_error(q, q_error, p, p_error), det_error = u_error + v_error + w_error;
-        E size = abs(E(det)), u_tie = tie<W>(u_error, size), v_tie = tie<W>(v_error, size),
-          w_tie = tie<W>(w_error, size);
-        const mask_t<W> inside =
-            some(every(u >= -u_tie, v >= -v_tie, w >= -w_tie), every(u <= u_tie, v <= v_tie, w <= w_tie));
-        const mask_t<W> decided = every(abs(u) > u_error, abs(v) > v_error, abs(w) > w_error);
-
-        W height = u * p.z + v * q.z + w * r.z;
-        E height_error = two * (u_error * abs(E(p.z)) + v_error * abs(E(q.z)) + w_error * abs(E(r.z)));
-        if constexpr (last_precision<W>) {
-            // The same, of the edges as they are: the shear would round away that it is nothing, or all but that, where
-            // a ray starts on the triangle.
-            vec3<W> e1 = difference_as<W>(b, a), e2 = difference_as<W>(c, a), s = difference_as<W>(ray.origin, a);
-            height = dot(e2, cross(s, e1));
-            height_error = E(8 * unit_roundoff<W>) * triple_product_bound(e2, s, e1);
-        }
-        W over_det = quotient(W(1), det, zero), t = height * over_det * over_z;
-        E error = two * (height_error * abs(E(over_z)) + abs(E(t)) * det_error) * abs(E(over_det)) + k * abs(E(t));
-        const mask_t<W> runs = every(is_finite(direction.z), abs(direction.z) > zero);
-        return {.exists = every(inside, abs(det) > tie<W>(det_error), runs),
-                .certain = every(decided, some(!inside, abs(det) > two * det_error)),
-                .t = t,
-                .error = error,
-                .entering = (det > zero) == (direction.z > zero),
-                .u = v * over_det,
-                .v = w * over_det};
+        // The plane of the corners says the same, and keeps more digits where a ray starts near it.
+        const auto n = [&] { return cross(line.between(a, c), line.between(a, b)); };
+        const auto speed = closer(det * z_of(d), [&] { return dot(n(), line.direction()); });
+        const auto height =
+            closer(dot(sides, vector_of(z_of(p), z_of(q), z_of(r))), [&] { return dot(n(), line.to(a)); });
+        crossing<W> at = crossing_at(every(inside, is_not_zero(speed)), height / speed, speed.value > W(0));
+        const W over_det = d.z * inverse(speed).value;
+        at.u = v.value * over_det, at.v = w.value * over_det;
+        return at;
     }
 
     template <class X, class W>
