@@ -138,9 +138,25 @@ template <real W, std::size_t N, std::size_t M>
 RAIO_FN constexpr polynomial<W, N + M> operator*(const polynomial<W, N>& a, const polynomial<W, M>& b) {
     return product<N + M>(a, b);
 }
+/// The same with half of the products.
 template <real W, std::size_t N>
 RAIO_FN constexpr polynomial<W, 2 * N> square(const polynomial<W, N>& a) {
-    return a * a;
+    using E = bound_t<W>;
+    const E rounding((2 + 2 * N) * unit_roundoff<W>);
+    polynomial<W, 2 * N> p;
+    for (std::size_t i = 0; i <= N; ++i) {
+        const E size = abs(E(a.coefficient[i])), error = a.error[i];
+        if (size == E(0) && error == E(0)) continue;
+        p.coefficient[2 * i] += a.coefficient[i] * a.coefficient[i];
+        p.error[2 * i] += error * (E(2) * size + error) + size * size * rounding;
+        const W twice = a.coefficient[i] + a.coefficient[i];
+        for (std::size_t j = i + 1; j <= N; ++j) {
+            const E other = abs(E(a.coefficient[j])), other_error = a.error[j];
+            p.coefficient[i + j] += twice * a.coefficient[j];
+            p.error[i + j] += E(2) * (error * (other + other_error) + size * (other_error + rounding * other));
+        }
+    }
+    return p;
 }
 
 // With numbers.

@@ -6,16 +6,12 @@
 
 namespace raio {
 
-namespace detail {
-
 /// Is a point known to a part of a size?
 template <class W>
-RAIO_FN constexpr raio::verdict<mask_t<W>> is_known_within(const bounded_vector<W>& p, const given_number<W>& size) {
+RAIO_FN constexpr verdict<mask_t<W>> is_known_within(const bounded_vector<W>& p, const given_number<W>& size) {
     const mask_t<W> known = p.error < bound_t<W>(0x1p-13) * size_of(size);
     return {known, W(0) == W(0), known};
 }
-
-}  // namespace detail
 
 /// A part of a line. The point at x, as seen from some base, is from + x along; it is that of the ray at t = middle + x
 /// half. Middle and half are given: whatever they were rounded to, that is the part that is meant.
@@ -63,7 +59,7 @@ RAIO_FN constexpr line_part<W> part_of(const line<W, R>& line, const verdict<boo
     put(start[0] + step[0], from.x, error.x), put(start[1] + step[1], from.y, error.y),
         put(start[2] + step[2], from.z, error.z);
     from.error = norm1(error);
-    const verdict<bool> found = every(passes, detail::is_known_within(from, size));
+    const verdict<bool> found = every(passes, is_known_within(from, size));
     return {found.yes,    is_settled(found), {from.x, from.y, from.z}, {along.x, along.y, along.z}, error,
             middle.value, half.value,        reach};
 }
