@@ -70,14 +70,14 @@ struct polynomial {
 };
 
 /// The polynomial of these coefficients, the constant one first.
+template <class W, std::same_as<bounded_number<W>>... More>
+RAIO_FN constexpr polynomial<W, sizeof...(More)> polynomial_of(const bounded_number<W>& constant, const More&... more) {
+    return {{constant.value, more.value...}, {constant.error, more.error...}};
+}
 template <proven_number Constant, proven_number... More>
 RAIO_FN constexpr auto polynomial_of(const Constant& constant, const More&... more) {
-    using W = typename Constant::number;
-    polynomial<W, sizeof...(More)> p;
-    std::size_t k = 0;
-    const auto put = [&](const bounded_number<W>& c) { p.coefficient[k] = c.value, p.error[k++] = c.error; };
-    put(constant), (put(more), ...);
-    return p;
+    using bounded = bounded_number<typename Constant::number>;
+    return polynomial_of(bounded(constant), bounded(more)...);
 }
 
 template <real W, std::size_t N, std::size_t M>

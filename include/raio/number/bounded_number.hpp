@@ -131,9 +131,14 @@ RAIO_FN constexpr auto operator-(const A& a, const B& b) {
     return a + -b;
 }
 
-template <proven_number A>
-RAIO_FN constexpr auto square(const A& a) {
+template <class W, int K>
+RAIO_FN constexpr rounded_number<W, 2 * K + 1> square(const rounded_number<W, K>& a) {
     return a * a;
+}
+template <class W>
+RAIO_FN constexpr bounded_number<W> square(const bounded_number<W>& a) {
+    W product = a.value * a.value;
+    return {product, a.error * (bound_t<W>(2) * size_of(a) + a.error) + detail::roundings<W>(1, bound_t<W>(product))};
 }
 
 /// 1 / a. Nothing is known of it where a may be zero.

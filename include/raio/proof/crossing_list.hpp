@@ -25,7 +25,11 @@ struct crossing_list {
     RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
 
     RAIO_FN constexpr void append(const W& t, const bound_t<W>& error, bool entering) {
-        append(crossing<W>{true, true, t, error, entering});
+        if (count == N) return;
+        // Where it stays: GCC would keep another one in memory first.
+        crossing<W>& c = crossings[count++];
+        c.exists = c.certain = true, c.t = t, c.error = error, c.entering = entering;
+        c.face = {}, c.u = c.v = W(0), c.shared = {}, c.missed = false;
     }
     RAIO_FN constexpr void append(const crossing<W>& c) {
         if (count < N) crossings[count++] = c;
@@ -53,8 +57,18 @@ struct crossing_list {
         append(t.value, detail::rounded_up<W>(t.error), root);
     }
 
-    /// What was decided on the way: where that is in doubt, so is the list.
-    RAIO_FN constexpr void depends_on(const verdict<bool>& decided) { certain = certain && is_settled(decided); }
+    /// Does what the crossings depend on hold? Where that is in doubt, so is the list.
+    RAIO_FN constexpr bool holds(const verdict<bool>& condition) {
+        certain = certain && is_settled(condition);
+        return condition.yes;
+    }
+
+    /// Takes over what `each` makes of one root after the other, and what is known of them all.
+    template <std::size_t M, class Each>
+    RAIO_FN constexpr void take(const polynomial_roots<W, M>& roots, Each each) {
+        certain = certain && roots.certain;
+        for (const polynomial_root<W>& root : roots) each(root);
+    }
 
     /// May the line start on the surface?
     RAIO_FN constexpr bool touches_origin() const {

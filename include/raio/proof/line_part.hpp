@@ -60,8 +60,14 @@ RAIO_FN constexpr line_part<W> part_of(const line<W, R>& line, const verdict<boo
         put(start[2] + step[2], from.z, error.z);
     from.error = norm1(error);
     const verdict<bool> found = every(passes, is_known_within(from, size));
-    return {found.yes,    is_settled(found), {from.x, from.y, from.z}, {along.x, along.y, along.z}, error,
-            middle.value, half.value,        reach};
+    return {found.yes,
+            is_settled(found),
+            {from.x, from.y, from.z},
+            {along.x, along.y, along.z},
+            error,
+            middle.value,
+            half.value,
+            reach};
 }
 
 }  // namespace raio

@@ -88,36 +88,39 @@ struct torus {
         const auto major = line.given(major_radius), minor = line.given(minor_radius);
         // A little more than the bounding sphere, so that the line's ends are clearly outside.
         const auto size = as_given((major + minor) * line.given(W(1 + 0x1p-10)));
-        const auto a2 = square(a), d2 = square(d), span2 = d2 * size * size, passed2 = square(moment);
+        const auto a2 = square(a), d2 = square(d), reach2 = d2 * size * size, passed2 = square(moment);
         const auto passes =
-            every(is_positive(major), is_positive(minor), is_positive(a2), is_positive(span2), span2 >= passed2);
-        if (!passes.yes) return crossing_list<W, 4>(passes);
+            every(is_positive(major), is_positive(minor), is_positive(a2), is_positive(reach2), reach2 >= passed2);
+        crossing_list<W, 4> list;
+        if (!list.holds(passes)) return list;
 
+        // t = middle + x half, and p(x) = q + x e.
         const auto over_d2 = inverse(d2), unit = inverse(size);
         const auto middle = dot(l, d) * over_d2;
-        const auto half = as_given(sqrt(span2 - passed2) * over_d2);
+        const auto half = as_given(sqrt(reach2 - passed2) * over_d2);
         const auto q = cross(moment, d) * (over_d2 * unit), e = d * (half * unit);
-        const auto is_found = every(is_positive(half), is_known_within(q, line.given(W(1))));
-        if (!is_found.yes) return crossing_list<W, 4>(is_found);
+        if (!list.holds(every(is_positive(half), is_known_within(q, line.given(W(1)))))) return list;
 
+        // p.p = q.q + x^2 e.e, and p.A = q.A + x e.A with the axis as a unit vector.
+        const auto up = a * inverse(sqrt(a2));
+        const auto q2 = square(q), e2 = square(e), qa = dot(q, up), ea = dot(e, up);
         const auto major2 = square(major * unit), minor2 = square(minor * unit);
-        const auto p2 = polynomial_of(square(q), line.given(W(0)), square(e));
-        const auto height = polynomial_of(dot(q, a), dot(e, a));  // times |A|
-        const auto rho2 = p2 - square(height) * inverse(a2);
-        const auto level = p2 + (major2 - minor2);
-        const auto f = square(level) - rho2 * (line.given(W(4)) * major2);
+        const auto level = q2 + (major2 - minor2), four_major2 = line.given(W(4)) * major2;
+        const auto two = line.given(W(2)), none = line.given(W(0));
+        auto f = polynomial_of(square(level) - four_major2 * (q2 - square(qa)),  //
+                               two * four_major2 * (qa * ea),                    //
+                               two * e2 * level - four_major2 * (e2 - square(ea)), none, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
-        const auto roots = roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{});
-        crossing_list<W, 4> list(roots.certain);
-        for (const polynomial_root<W>& root : roots) {
-            const auto t = middle + half * root.place();
-            if (is_ring) {
-                list.append(t, root);
-            } else {
-                append_outer(level, root, t, list);
-            }
-        }
+        list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
+                  [&](const polynomial_root<W>& root) {
+                      const auto x = root.place(), t = middle + half * x;
+                      if (is_ring) {
+                          list.append(t, root);
+                      } else {
+                          append_outer(level + e2 * square(x), root, t, list);
+                      }
+                  });
         start_on_surface(list, [&] { return may_be_on_surface(l * unit, major2, minor2); });
         return list;
     }
@@ -168,16 +171,16 @@ private:
     /// solid, and touches its surface from within. What both enclose is about the centre: a line enters it there before
     /// its closest approach to the centre, and leaves it there after that.
     template <class W>
-    RAIO_FN static constexpr void append_outer(const polynomial<W, 2>& level, const polynomial_root<W>& root,
+    RAIO_FN static constexpr void append_outer(const bounded_number<W>& level, const polynomial_root<W>& root,
                                                const bounded_number<W>& t, crossing_list<W, 4>& list) {
         const auto x = root.place(), zero = line<W>::given(W(0));
-        const auto counts = level[0] + level[2] * square(x) >= zero;
-        list.depends_on(counts);
-        const bool on_axis = !is_settled(counts), entering = root.before > 0, to_other = root.is_touched() && !entering;
+        const auto counts = level >= zero;
+        const bool outer = list.holds(counts), on_axis = !is_settled(counts), entering = root.before > 0,
+                   to_other = root.is_touched() && !entering;
         const auto append = [&](bool enters) {
             const bool inside = list.count > 0 && list.crossings[list.count - 1].entering;
             const bool leaves = inside && (to_other || (x >= zero).possibly);
-            if (on_axis ? (enters ? !inside : leaves) : counts.yes) list.append(t, enters);
+            if (on_axis ? (enters ? !inside : leaves) : outer) list.append(t, enters);
         };
         append(entering);
         if (root.is_touched()) append(!entering);
