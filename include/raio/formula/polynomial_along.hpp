@@ -1,252 +1,41 @@
 #pragma once
 
-#include <raio/proof/crossing_list.hpp>
+#include <raio/proof/polynomial_crossings.hpp>
 
 /// \file
 /// Where a line crosses an algebraic surface f(p) = 0, whose solid is where f is negative.
 ///
 /// Along a line f is a polynomial. Its coefficients are those of a part of the line that lies near the shape and has
 /// its size: p(x) = from + x along, t = middle + x half. So no power of a far origin cancels, and all that counts lies
-/// between x = -1 and 1. How far each coefficient may be off is carried along, and the roots (see polynomial_roots.hpp)
-/// are as certain as their signs are beyond that.
+/// between x = -1 and 1. The coordinates of p(x) are polynomials of degree 1, and f is computed with them as with
+/// numbers (math/polynomial.hpp); its roots are isolated (math/polynomial_roots.hpp).
 
 namespace raio {
 
-/// The part of a line that passes a ball; the point at x is seen from some base, where the shape's x = y = z = 0.
-template <class W>
-struct line_part {
-    using E = bound_t<W>;
-
-    bool exists, certain;  ///< does it pass the ball, and is that right whatever the rounding errors were?
-    vec3<W> from{W(0)}, along{W(0)};
-    vec3<E> error{E(0)};  ///< how far `from` may be off
-    W middle{0}, half{0};
-    W reach{1};  ///< all that is in the ball lies between x = -reach and reach
-
-    /// One coordinate of the point, as a polynomial in x.
-    RAIO_FN constexpr polynomial<W, 1> coordinate(glm::length_t axis) const {
-        return {{from[axis], along[axis]}, {error[axis], E(2 * unit_roundoff<W>) * abs(E(along[axis]))}};
-    }
-
-    RAIO_FN constexpr std::array<polynomial<W, 1>, 3> point() const {
-        return {coordinate(0), coordinate(1), coordinate(2)};
-    }
-
-    template <class Wanted>
-    RAIO_FN constexpr wanted_roots<W> roots_for(const Wanted& wanted) const {
-        return raio::roots_for(wanted, middle, half, E(0));
-    }
-
-    RAIO_FN constexpr crossing<W> at(const polynomial_root<W>& root, bool entering) const {
-        W step = half * root.t;
-        E rounding = E(4 * unit_roundoff<W>) * (abs(E(middle)) + abs(E(step)));
-        return {true, true, middle + step, E(half) * root.error + rounding, entering};
-    }
-};
-
+/// The part of a line that passes a ball; the point at x is seen from `base`, where the shape's x = y = z = 0.
 /// \param center  of the ball, as near to it as 2^-12 of the radius
+template <class W, class R, real T>
+RAIO_FN constexpr line_part<W> part_near(const line<W, R>& line, const vec3<T>& base, const vec3<W>& center,
+                                         const W& radius) {
+    const auto d = line.direction();
+    const auto l = line.to(center);
+    // A little more than the ball, so that whatever it contains is clearly within.
+    const auto size = line.given(radius * W(1 + 0x1p-8));
+    const auto d2 = square(d), size2 = square(size);
+    const auto passes = every(is_positive(size), is_positive(d2), d2 * size2 >= square(cross(l, d)));
+    if (!passes.yes) return {false, is_settled(passes)};
+
+    // A line that starts within the ball is seen from its origin: what is close to it keeps its digits.
+    const bool starts_within = (square(l) <= size2).yes;
+    const auto middle = starts_within ? line.given(W(0)) : as_given(dot(l, d) * inverse(d2));
+    const auto half = as_given(size * inverse(sqrt(d2)));
+    return part_of(line, every(passes, is_positive(half)), base, size, middle, half, W(starts_within ? 2 : 1));
+}
 template <class W, real R, real T>
 RAIO_FN constexpr line_part<W> part_near(const ray<R>& ray, const vec3<T>& base, const vec3<W>& center,
                                          const W& radius) {
-    using E = bound_t<W>;
-    constexpr double u = unit_roundoff<W>;
-    vec3<W> o(ray.origin), d(ray.direction), l = center - o, moment = cross(l, d);
-    line_part<W> part{false, true};
-    W d2 = dot(d, d);
-    if (!(d2 >= W(least_normal<W>)) || !(radius > W(0))) return part;
-    // A little more than the ball, so that whatever it contains is clearly within.
-    W size = radius * W(1 + 0x1p-8);
-    part.half = size / sqrt(d2);
-    // A line that starts within the ball is seen from its origin: what is close to it keeps its digits.
-    const bool starts_within = dot(l, l) <= size * size;
-    part.middle = starts_within ? W(0) : dot(l, d) / d2, part.reach = W(starts_within ? 2 : 1);
-    vec3<W> step = d * part.middle;
-    part.from = (o - vec3<W>(base)) + step, part.along = d * part.half;
-    part.error = (abs(vec3<E>(o)) + abs(vec3<E>(vec3<W>(base))) + abs(vec3<E>(step))) * E(4 * u);
-    E lost = norm1(part.error) + E(8 * u) * norm1(vec3<E>(l));
-    if (!(part.half >= W(least_normal<W>)) || !is_finite(E(part.half)) || !is_finite(lost)) return part;
-    // Too far away to be told from its centre.
-    if (!(lost < E(0x1p-13) * E(size))) {
-        part.certain = false;
-        return part;
-    }
-    part.exists = dot(moment, moment) <= d2 * size * size;
-    return part;
+    return part_near(line<W, R>{ray}, base, center, radius);
 }
-
-/// What is told of the roots of f along a part of a line.
-template <class W, std::size_t N>
-struct roots_along {
-    polynomial_roots<W, N> roots;
-    bool begins_inside;  ///< is f negative, or may it be, before the first of them?
-};
-
-/// The roots of f in [low, high]; none and nothing inside, and that not certain, if f is out of range. The first root
-/// is among them, wanted or not: it says what is inside.
-template <class W, std::size_t N>
-RAIO_FN constexpr roots_along<W, N> find_roots(const polynomial<W, N>& f, const W& low, const W& high,
-                                               wanted_roots<W> wanted = {}) {
-    using E = bound_t<W>;
-    wanted.before = -infinity<E>;
-    roots_along<W, N> found{roots_between(f, low, high, wanted), false};
-    if (!is_finite(f.noise()(E(1)))) return found;
-    found.begins_inside = found.roots.count == 0 ? f(low) <= W(0) : found.roots.begin()->before <= 0;
-    return found;
-}
-
-namespace detail {
-
-/// The places x that lie between the ends of a chord, and a little beyond it.
-template <class W>
-RAIO_FN constexpr vec2<W> range_of(const chord<W>& clip, const line_part<W>& part) {
-    W over_half = W(1) / part.half, more(0x1p-6);
-    return {max(-part.reach, (clip.near.t - part.middle) * over_half - more),
-            min(part.reach, (clip.far.t - part.middle) * over_half + more)};
-}
-
-/// The same roots are wanted, but none that is not clearly within the chord is the first.
-template <class W>
-RAIO_FN constexpr wanted_roots<W> within(const chord<W>& clip, const line_part<W>& part, wanted_roots<W> wanted) {
-    using E = bound_t<W>;
-    const E over_half = E(1) / E(part.half), middle(part.middle), less(0x1p-30);
-    const auto place = [&](const E& t) { return (t - middle) * over_half; };
-    wanted.from = max(wanted.from, place(E(clip.near.t) + clip.near.error) + less);
-    wanted.to = min(wanted.to, place(E(clip.far.t) - clip.far.error) - less);
-    return wanted;
-}
-
-}  // namespace detail
-
-/// At most as many crossings as a polynomial of degree N has roots, or a pair for each part of a solid that a convex
-/// one cuts off.
-template <class W, std::size_t N>
-using crossings_of_degree = crossing_list<W, N + 2 + N % 2>;
-
-/// The solid where f <= 0, as far as it is within a convex one, whose faces close it. If only the first of the roots is
-/// wanted, where the line leaves the solid behind it need not be right.
-template <class W, std::size_t N>
-RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W, N>& f, const line_part<W>& part,
-                                                             const chord<W>& clip, const wanted_roots<W>& wanted) {
-    using E = bound_t<W>;
-    const vec2<W> range = detail::range_of(clip, part);
-    const auto [roots, begins_inside] = find_roots(f, range.x, range.y, detail::within(clip, part, wanted));
-    crossings_of_degree<W, N> list;
-    list.certain = roots.certain;
-    const auto append = [&](const chord<W>& inside) {
-        chord<W> c = intersect(inside, clip);
-        list.certain = list.certain && c.near.certain;
-        // A chord that cannot be told from a point is one: edges and tangents belong to the solid.
-        if (!(E(c.far.t - c.near.t) >= -(c.near.error + c.far.error))) return;
-        c.near.exists = c.far.exists = true;
-        list.append(c.near), list.append(c.far);
-    };
-    const chord<W> line = everywhere<W>();
-    chord<W> inside = line;
-    bool within = begins_inside;
-    for (const polynomial_root<W>& root : roots) {
-        // Where f is zero to the end of the range, that counts as inside.
-        const bool touches = root.before * root.after > 0, goes_on = root.after <= 0;
-        if (!within) inside.near = part.at(root, true);
-        if (!goes_on || (within && touches)) {
-            inside.far = part.at(root, false);
-            append(inside);
-            inside = line;
-            if (goes_on) inside.near = part.at(root, true);
-        }
-        within = goes_on;
-    }
-    if (within) append(inside);
-    list.start_at_origin();
-    return list;
-}
-
-/// The surface where f = 0, as far as it is within a convex solid, and as far as `belongs(root)` says. A line that lies
-/// in the surface is nowhere crossing it.
-template <class W, std::size_t N, class Belongs>
-RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N>& f, const line_part<W>& part,
-                                                           const chord<W>& clip, const wanted_roots<W>& wanted,
-                                                           Belongs belongs) {
-    using E = bound_t<W>;
-    const vec2<W> range = detail::range_of(clip, part);
-    const auto roots = roots_between(f, range.x, range.y, detail::within(clip, part, wanted));
-    crossings_of_degree<W, N> list;
-    list.certain = roots.certain && clip.near.certain;
-    for (const polynomial_root<W>& root : roots) {
-        if (root.before * root.after == 0 || !belongs(root)) continue;
-        crossing<W> c = part.at(root, root.before > 0);
-        E before(c.t - clip.near.t), before_error = c.error + clip.near.error;
-        E after(clip.far.t - c.t), after_error = c.error + clip.far.error;
-        if (before < -before_error || after < -after_error) continue;
-        list.certain = list.certain && before > before_error && after > after_error;
-        list.append(c.t, c.error, root);
-    }
-    list.start_at_origin();
-    return list;
-}
-template <class W, std::size_t N>
-RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N>& f, const line_part<W>& part,
-                                                           const chord<W>& clip, const wanted_roots<W>& wanted) {
-    return open_crossings(f, part, clip, wanted, [](const polynomial_root<W>&) { return true; });
-}
-
-/// Follows the line from outside, through one polynomial of degree 4 after the other. Where a polynomial is zero at an
-/// end, the next one tells what comes of it. One that is zero all the way, or cannot be told from it for long, is that
-/// of a line in the surface, which touches it from where that begins to where it ends.
-template <class W, std::size_t N>
-struct piecewise_walk {
-    const line_part<W>& part;
-    wanted_roots<W> wanted;
-    crossing_list<W, N>& list;
-    int sign = 1;  ///< of what the polynomials are pieces of: positive outside
-    bool is_open = false, is_along = false, is_done = false;
-    polynomial_root<W> begin{}, end{};  ///< of what is open; there is an end if it runs along the surface
-
-    RAIO_FN constexpr void cross(const polynomial<W, 4>& f, const W& low, const W& high) {
-        const auto [roots, begins_inside] = find_roots(f, low, high, wanted);
-        list.certain = list.certain && roots.certain;
-        if (roots.count == 0) return reach(begins_inside ? -1 : 1);
-        for (const polynomial_root<W>& root : roots) {
-            if (root.before != 0) reach(root.before);
-            // (About a tangent a piece that is shorter than the root of the noise, which is below 2^-16, is zero to
-            // both ends as well.)
-            W first = root.before == 0 ? low : max(low, root.t - W(root.error));
-            W last = root.after == 0 ? high : min(high, root.t + W(root.error));
-            if (root.before * root.after == 0 && bound_t<W>(last - first) > bound_t<W>(0x1p-16)) {
-                meet({first, bound_t<W>(0), 0, 0, root.height});
-                end = {last, bound_t<W>(0), 0, 0, root.height}, is_along = true;
-            } else {
-                meet(root);
-            }
-            if (root.after != 0) reach(root.after);
-        }
-    }
-
-    RAIO_FN constexpr void meet(const polynomial_root<W>& root) {
-        polynomial_root<W>& known = is_along ? end : begin;
-        if (is_open) {
-            known.error = max(known.error, bound_t<W>(root.t - known.t) + root.error);
-        } else {
-            known = root;
-        }
-        is_open = true;
-    }
-
-    RAIO_FN constexpr void reach(int next) {
-        if (is_open) {
-            // What lies in the surface belongs to the solid: it is entered where that begins, and left where it ends.
-            const polynomial_root<W>& last = is_along && next > 0 ? end : begin;
-            append(sign > 0 ? begin : last, sign > 0);
-            if (sign == next) append(last, sign < 0);
-            is_done = bound_t<W>(begin.t) - begin.error > wanted.from;
-        }
-        is_open = is_along = false, sign = next;
-    }
-
-    RAIO_FN constexpr void append(const polynomial_root<W>& root, bool entering) {
-        const crossing<W> c = part.at(root, entering);
-        list.append(c.t, c.error, entering);
-    }
-};
 
 /// What is missing of a crossing with the surface where f = 0. Of f along the line from c.t on only the constant term
 /// is needed in the precision of X.

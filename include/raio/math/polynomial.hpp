@@ -3,11 +3,10 @@
 #include <array>
 #include <cstddef>
 
-#include <raio/number/double_double.hpp>
-#include <raio/number/real.hpp>
+#include <raio/number/bounded_vector.hpp>
 
 /// \file
-/// Polynomials, their sums and products, the errors of their coefficients carried along.
+/// Polynomials, their sums and products, the errors of their coefficients carried along; and vectors of them.
 
 namespace raio {
 
@@ -16,6 +15,8 @@ template <real W, std::size_t N>
 struct polynomial {
     std::array<W, N + 1> coefficient{};
     std::array<bound_t<W>, N + 1> error{};  ///< how far each coefficient may be off
+
+    RAIO_FN constexpr bounded_number<W> operator[](std::size_t k) const { return {coefficient[k], error[k]}; }
 
     /// Even and odd powers are added up side by side: each sum waits for itself alone.
     RAIO_FN constexpr W operator()(const W& t) const {
@@ -68,17 +69,32 @@ struct polynomial {
     }
 };
 
-template <real W, std::size_t N>
-RAIO_FN constexpr polynomial<W, N> operator+(const polynomial<W, N>& a, const polynomial<W, N>& b) {
+/// The polynomial of these coefficients, the constant one first.
+template <class W, std::same_as<bounded_number<W>>... More>
+RAIO_FN constexpr polynomial<W, sizeof...(More)> polynomial_of(const bounded_number<W>& constant, const More&... more) {
+    return {{constant.value, more.value...}, {constant.error, more.error...}};
+}
+template <proven_number Constant, proven_number... More>
+RAIO_FN constexpr auto polynomial_of(const Constant& constant, const More&... more) {
+    using bounded = bounded_number<typename Constant::number>;
+    return polynomial_of(bounded(constant), bounded(more)...);
+}
+
+template <real W, std::size_t N, std::size_t M>
+RAIO_FN constexpr polynomial<W, (N < M ? M : N)> operator+(const polynomial<W, N>& a, const polynomial<W, M>& b) {
     using E = bound_t<W>;
-    polynomial<W, N> sum;
-    for (std::size_t k = 0; k <= N; ++k) {
-        sum.coefficient[k] = a.coefficient[k] + b.coefficient[k];
-        // Twice the roundoff: that of a sum of two doubles is of the size of its operands.
-        E size = max(abs(E(a.coefficient[k])), abs(E(b.coefficient[k])));
-        sum.error[k] = a.error[k] + b.error[k] + E(2 * unit_roundoff<W>) * size;
+    if constexpr (N < M) {
+        return b + a;
+    } else {
+        polynomial<W, N> sum = a;
+        for (std::size_t k = 0; k <= M; ++k) {
+            sum.coefficient[k] = a.coefficient[k] + b.coefficient[k];
+            // Twice the roundoff: that of a sum of two doubles is of the size of its operands.
+            E size = max(abs(E(a.coefficient[k])), abs(E(b.coefficient[k])));
+            sum.error[k] = a.error[k] + b.error[k] + E(2 * unit_roundoff<W>) * size;
+        }
+        return sum;
     }
-    return sum;
 }
 
 template <real W, std::size_t N>
@@ -87,8 +103,8 @@ RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a) {
     for (W& c : minus.coefficient) c = -c;
     return minus;
 }
-template <real W, std::size_t N>
-RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a, const polynomial<W, N>& b) {
+template <real W, std::size_t N, std::size_t M>
+RAIO_FN constexpr polynomial<W, (N < M ? M : N)> operator-(const polynomial<W, N>& a, const polynomial<W, M>& b) {
     return a + -b;
 }
 
@@ -116,6 +132,79 @@ RAIO_FN constexpr polynomial<W, K> product(const polynomial<W, N>& a, const poly
         }
     }
     return p;
+}
+
+template <real W, std::size_t N, std::size_t M>
+RAIO_FN constexpr polynomial<W, N + M> operator*(const polynomial<W, N>& a, const polynomial<W, M>& b) {
+    return product<N + M>(a, b);
+}
+/// The same with half of the products.
+template <real W, std::size_t N>
+RAIO_FN constexpr polynomial<W, 2 * N> square(const polynomial<W, N>& a) {
+    using E = bound_t<W>;
+    const E rounding((2 + 2 * N) * unit_roundoff<W>);
+    polynomial<W, 2 * N> p;
+    for (std::size_t i = 0; i <= N; ++i) {
+        const E size = abs(E(a.coefficient[i])), error = a.error[i];
+        if (size == E(0) && error == E(0)) continue;
+        p.coefficient[2 * i] += a.coefficient[i] * a.coefficient[i];
+        p.error[2 * i] += error * (E(2) * size + error) + size * size * rounding;
+        const W twice = a.coefficient[i] + a.coefficient[i];
+        for (std::size_t j = i + 1; j <= N; ++j) {
+            const E other = abs(E(a.coefficient[j])), other_error = a.error[j];
+            p.coefficient[i + j] += twice * a.coefficient[j];
+            p.error[i + j] += E(2) * (error * (other + other_error) + size * (other_error + rounding * other));
+        }
+    }
+    return p;
+}
+
+// With numbers.
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial<W, N> operator+(const polynomial<W, N>& p, const A& a) {
+    return p + polynomial_of(a);
+}
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& p, const A& a) {
+    return p + -a;
+}
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial<W, N> operator-(const A& a, const polynomial<W, N>& p) {
+    return -p + a;
+}
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial<W, N> operator*(const polynomial<W, N>& p, const A& a) {
+    return product<N>(p, polynomial_of(a));
+}
+
+/// A vector whose components are polynomials: with those of degree 1, a point on its way along a line.
+template <real W, std::size_t N>
+using polynomial_vector = std::array<polynomial<W, N>, 3>;
+
+template <real W, std::size_t N, proven_vector V>
+RAIO_FN constexpr polynomial_vector<W, N> operator+(const polynomial_vector<W, N>& p, const V& v) {
+    return {p[0] + v[0], p[1] + v[1], p[2] + v[2]};
+}
+template <real W, std::size_t N, proven_vector V>
+RAIO_FN constexpr polynomial_vector<W, N> operator-(const polynomial_vector<W, N>& p, const V& v) {
+    return p + -v;
+}
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial_vector<W, N> operator*(const polynomial_vector<W, N>& p, const A& a) {
+    return {p[0] * a, p[1] * a, p[2] * a};
+}
+template <real W, std::size_t N, proven_vector V>
+RAIO_FN constexpr polynomial<W, N> dot(const polynomial_vector<W, N>& p, const V& v) {
+    return p[0] * v[0] + p[1] * v[1] + p[2] * v[2];
+}
+template <real W, std::size_t N, proven_vector V>
+RAIO_FN constexpr polynomial_vector<W, N> cross(const polynomial_vector<W, N>& p, const V& v) {
+    return {p[1] * v[2] - p[2] * v[1], p[2] * v[0] - p[0] * v[2], p[0] * v[1] - p[1] * v[0]};
+}
+/// p.p
+template <real W, std::size_t N>
+RAIO_FN constexpr polynomial<W, 2 * N> square(const polynomial_vector<W, N>& p) {
+    return square(p[0]) + square(p[1]) + square(p[2]);
 }
 
 }  // namespace raio

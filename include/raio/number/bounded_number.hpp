@@ -99,6 +99,12 @@ RAIO_FN constexpr auto size_of(const A& a) {
     return abs(bound_t<typename A::number>(a.value));
 }
 
+/// What was found, as a number that is given: of a unit, or of a place to start from, no other one is meant.
+template <proven_number A>
+RAIO_FN constexpr given_number<typename A::number> as_given(const A& a) {
+    return {a.value};
+}
+
 template <class W>
 RAIO_FN constexpr bounded_number<W> operator+(const bounded_number<W>& a, const bounded_number<W>& b) {
     W sum = a.value + b.value;
@@ -134,9 +140,14 @@ RAIO_FN constexpr auto operator-(const A& a, const B& b) {
     return a + -b;
 }
 
-template <proven_number A>
-RAIO_FN constexpr auto square(const A& a) {
+template <class W, int K>
+RAIO_FN constexpr rounded_number<W, 2 * K + 1> square(const rounded_number<W, K>& a) {
     return a * a;
+}
+template <class W>
+RAIO_FN constexpr bounded_number<W> square(const bounded_number<W>& a) {
+    W product = a.value * a.value;
+    return {product, a.error * (bound_t<W>(2) * size_of(a) + a.error) + detail::roundings<W>(1, bound_t<W>(product))};
 }
 
 /// 1 / a. Nothing is known of it where a may be zero.
@@ -212,6 +223,14 @@ RAIO_FN constexpr auto operator<(const A& a, const B& b) {
 template <proven_number A, proven_number B>
 RAIO_FN constexpr auto operator>(const A& a, const B& b) {
     return !(b >= a);
+}
+
+/// Can they not be told apart?
+template <proven_number A, proven_number B>
+RAIO_FN constexpr auto may_be_equal(const A& a, const B& b) {
+    using W = typename A::number;
+    const bounded_number<W> difference = a - b;
+    return size_of(difference) <= detail::rounded_up<W>(difference.error) + bound_t<W>(detail::lost<W>);
 }
 
 /// Is it above zero? What the last precision knows less than ten digits of is zero to it.

@@ -18,12 +18,18 @@ struct crossing_list {
     crossing_list() = default;
     /// None.
     RAIO_FN constexpr explicit crossing_list(bool is_certain) : certain(is_certain) {}
+    /// None, as far as it is settled whether there may be some.
+    RAIO_FN constexpr explicit crossing_list(const verdict<bool>& exist) : certain(is_settled(exist)) {}
 
     RAIO_FN constexpr const crossing<W>* begin() const { return crossings.data(); }
     RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
 
     RAIO_FN constexpr void append(const W& t, const bound_t<W>& error, bool entering) {
-        append(crossing<W>{true, true, t, error, entering});
+        if (count == N) return;
+        // Where it stays: GCC would keep another one in memory first.
+        crossing<W>& c = crossings[count++];
+        c.exists = c.certain = true, c.t = t, c.error = error, c.entering = entering;
+        c.face = {}, c.u = c.v = W(0), c.shared = {}, c.missed = false;
     }
     RAIO_FN constexpr void append(const crossing<W>& c) {
         if (count < N) crossings[count++] = c;
@@ -44,6 +50,26 @@ struct crossing_list {
         if (root.before * root.after > 0) append(t, error, !entering);
     }
 
+    RAIO_FN constexpr void append(const bounded_number<W>& t, bool entering) {
+        append(t.value, detail::rounded_up<W>(t.error), entering);
+    }
+    RAIO_FN constexpr void append(const bounded_number<W>& t, const polynomial_root<W>& root) {
+        append(t.value, detail::rounded_up<W>(t.error), root);
+    }
+
+    /// Does what the crossings depend on hold? Where that is in doubt, so is the list.
+    RAIO_FN constexpr bool holds(const verdict<bool>& condition) {
+        certain = certain && is_settled(condition);
+        return condition.yes;
+    }
+
+    /// Takes over what `each` makes of one root after the other, and what is known of them all.
+    template <std::size_t M, class Each>
+    RAIO_FN constexpr void take(const polynomial_roots<W, M>& roots, Each each) {
+        certain = certain && roots.certain;
+        for (const polynomial_root<W>& root : roots) each(root);
+    }
+
     /// May the line start on the surface?
     RAIO_FN constexpr bool touches_origin() const {
         for (const crossing<W>& c : *this) {
@@ -56,6 +82,13 @@ struct crossing_list {
         for (std::size_t i = 0; i < count; ++i) raio::start_at_origin(crossings[i], true);
     }
 };
+
+/// A crossing that cannot be told from t = 0 is there, if the line starts on the surface.
+/// \param starts  does it? Asked only then
+template <class W, std::size_t N>
+RAIO_FN constexpr void start_on_surface(crossing_list<W, N>& list, auto starts) {
+    if (list.touches_origin() && starts()) list.start_at_origin();
+}
 
 /// The same crossings as a list.
 template <class W, std::size_t N>
@@ -98,6 +131,12 @@ RAIO_FN constexpr wanted_roots<W> roots_for(const first_from<T>& wanted, const W
     if constexpr (std::same_as<W, strict_double>) roots.last_step = E(0x1p-14);
     if (wanted.roughly) roots.to = is_finite(end) ? (end - of_end - at) * over_half - in_e : end;
     return roots;
+}
+
+template <class W, class Wanted>
+RAIO_FN constexpr wanted_roots<W> roots_for(const Wanted& wanted, const bounded_number<W>& middle,
+                                            const given_number<W>& half) {
+    return roots_for(wanted, middle.value, half.value, middle.error);
 }
 
 // What `first_hit` and `any_hit` ask of a list; they find it by its argument.

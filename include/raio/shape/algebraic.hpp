@@ -70,23 +70,18 @@ struct algebraic {
     template <class W, real R, class Wanted = every_crossing>
     RAIO_FORMULA constexpr crossings_of_degree<W, Degree> crossings(const ray<R>& ray,
                                                                     const Wanted& wanted = {}) const {
-        crossings_of_degree<W, Degree> list;
         chord<W> clip = box<T>{min, max}.template crossings<W>(ray);
-        list.certain = clip.near.certain;
-        using E = bound_t<W>;
-        E length(clip.far.t - clip.near.t), slack = clip.near.error + clip.far.error;
-        if (!is_sound() || !is_finite(ray.origin) || !is_finite(ray.direction) || !is_finite(length) || length < -slack)
-            return list;
+        if (!is_sound() || missed(clip)) return crossings_of_degree<W, Degree>(true);
 
-        vec3<W> low(min), high(max), size = high - low;
-        const auto part = part_near(ray, vec3<T>(T(0)), vec3<W>((low + high) * W(0.5)), W(raio::length(size) * W(0.5)));
-        list.certain = list.certain && part.certain;
-        if (!part.exists) return list;
+        const vec3<W> low(min), size = vec3<W>(max) - low;
+        const auto part = part_near(line<W, R>{ray}, vec3<T>(T(0)), low + size * W(0.5), W(length(size) * W(0.5)));
+        if (!part.exists) return crossings_of_degree<W, Degree>(part.is_there());
         clip.near.face = clip.far.face = index_t<W>(1);
+        const auto f = along(part.point());
         if constexpr (Closed) {
-            return closed_crossings(along(part.point()), part, clip, part.roots_for(wanted));
+            return closed_crossings(f, part, clip, part.roots_for(wanted));
         } else {
-            return open_crossings(along(part.point()), part, clip, part.roots_for(wanted));
+            return open_crossings(f, part, clip, part.roots_for(wanted));
         }
     }
 
@@ -136,17 +131,18 @@ private:
         return !is_zero && is_in_degree && size.x > T(0) && size.y > T(0) && size.z > T(0) && is_finite(size);
     }
 
-    /// f along the line.
+    /// f along a line.
     template <class W, std::size_t N>
-    RAIO_FN constexpr polynomial<W, Degree * N> along(const std::array<polynomial<W, N>, 3>& point) const {
+    RAIO_FN constexpr polynomial<W, Degree * N> along(const polynomial_vector<W, N>& point) const {
         constexpr std::size_t degree = Degree * N;
         polynomial<W, degree> sum;
         for (const algebraic_term<T>& term : terms) {
             if (term.coefficient == T(0)) continue;
             polynomial<W, degree> p{{W(term.coefficient)}};
-            for (unsigned i = 0; i < term.x; ++i) p = product<degree>(p, point[0]);
-            for (unsigned i = 0; i < term.y; ++i) p = product<degree>(p, point[1]);
-            for (unsigned i = 0; i < term.z; ++i) p = product<degree>(p, point[2]);
+            const auto multiply = [&](const polynomial<W, N>& x, unsigned power) {
+                for (unsigned i = 0; i < power; ++i) p = product<degree>(p, x);
+            };
+            multiply(point[0], term.x), multiply(point[1], term.y), multiply(point[2], term.z);
             sum = sum + p;
         }
         return sum;

@@ -42,24 +42,22 @@ struct steiner {
 
     template <class W, real R, class Wanted = every_crossing>
     RAIO_FORMULA constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        using E = bound_t<W>;
+        const line<W, R> line{ray};
         // The lobes reach as far as their tips at size / 3 (1, 1, 1), which are 0.58 away, and as the cube's faces.
-        const auto part = part_near(ray, center, vec3<W>(center), W(size) * W(0.5859375));
-        if (!part.exists) return crossings_of_degree<W, 4>(part.certain);
-        const auto f = along(part.point());
+        const auto part = part_near(line, center, vec3<W>(center), W(size) * W(0.5859375));
+        if (!part.exists) return crossings_of_degree<W, 4>(part.is_there());
 
         // Where f only touches zero from above, that may be an axis beyond the cube.
+        const auto half = line.given(W(size) * W(0.5));
         const auto belongs = [&](const polynomial_root<W>& root) {
             if (root.before < 0 || root.after < 0) return true;
-            bool within = true;
-            for (glm::length_t axis = 0; axis < 3; ++axis) {
-                E at(part.from[axis] + part.along[axis] * root.t);
-                E error = part.error[axis] + E(0x1p10 * unit_roundoff<W>) * abs(E(part.along[axis]));
-                within = within && abs(at) <= E(W(size)) * E(0.5) + error;
-            }
-            return within;
+            const auto is_within = [&](const polynomial<W, 1>& coordinate) {
+                return abs(coordinate[0] + coordinate[1] * root.turn()) <= half;
+            };
+            const auto p = part.point();
+            return every(is_within(p[0]), is_within(p[1]), is_within(p[2])).yes;
         };
-        return open_crossings(f, part, everywhere<W>(), part.roots_for(wanted), belongs);
+        return open_crossings(along(part.point()), part, everywhere<W>(), part.roots_for(wanted), belongs);
     }
 
     template <class X, class W>
@@ -82,14 +80,13 @@ struct steiner {
     }
 
 private:
-    /// f along the line.
+    /// f of a cube of size 1, along a line.
+    /// \param point  on its way, as seen from the centre
     template <class W, std::size_t N>
-    RAIO_FN constexpr polynomial<W, 4 * N> along(const std::array<polynomial<W, N>, 3>& point) const {
-        const auto over_size = constant(W(1) / W(size), 2);
-        const auto coordinate = [&](std::size_t axis) { return product<N>(point[axis], over_size); };
-        const auto x = coordinate(0), y = coordinate(1), z = coordinate(2);
-        const auto x2 = product<2 * N>(x, x), y2 = product<2 * N>(y, y), z2 = product<2 * N>(z, z);
-        return product<4 * N>(x2, y2 + z2) + product<4 * N>(y2, z2) - product<4 * N>(product<2 * N>(x, y), z);
+    RAIO_FN constexpr polynomial<W, 4 * N> along(const polynomial_vector<W, N>& point) const {
+        const auto [x, y, z] = point * inverse(line<W>::given(size));
+        const auto x2 = square(x), y2 = square(y), z2 = square(z);
+        return x2 * (y2 + z2) + y2 * z2 - x * y * z;
     }
 };
 

@@ -46,13 +46,16 @@ struct teardrop {
 
     template <class W, real R, class Wanted = every_crossing>
     RAIO_FORMULA constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        vec3<W> low(bottom), axis = vec3<W>(tip) - low;
-        W r(radius), axis2 = dot(axis, axis);
-        const bool sound = radius > T(0) && axis2 >= W(least_normal<W>) && r * r >= W(least_normal<W>);
-        if (!sound) return {};
-        const auto part = part_near(ray, bottom, low + axis * W(0.5), sqrt(axis2 * W(0.25) + r * r));
-        if (!part.exists) return crossings_of_degree<W, 4>(part.certain);
+        const line<W, R> line{ray};
+        const auto axis = line.between(bottom, tip);
+        const auto r = line.given(radius);
+        const auto has_size = every(is_positive(r), is_positive(square(r)), is_positive(square(axis)));
+        if (!has_size.yes) return crossings_of_degree<W, 4>(has_size);
 
+        const vec3<W> low(bottom), middle = low + (vec3<W>(tip) - low) * W(0.5);
+        const auto reach = sqrt(square(axis) * line.given(W(0.25)) + square(r));
+        const auto part = part_near(line, bottom, middle, reach.value);
+        if (!part.exists) return crossings_of_degree<W, 4>(part.is_there());
         return open_crossings(along(part.point()), part, everywhere<W>(), part.roots_for(wanted));
     }
 
@@ -83,27 +86,16 @@ struct teardrop {
     }
 
 private:
-    /// f along the line.
+    /// f = rho^2 / radius^2 - (256 / 27) h (1 - h)^3, times 27, along a line.
+    /// \param p  the point on its way, as seen from the bottom
     template <class W, std::size_t N>
-    RAIO_FN constexpr polynomial<W, 4 * N> along(const std::array<polynomial<W, N>, 3>& point) const {
-        vec3<W> axis = difference_as<W>(tip, bottom);
-        W over_axis2 = W(1) / dot(axis, axis), over_r = W(1) / W(radius);
-        const auto &x = point[0], &y = point[1], &z = point[2];
-        const auto a = constant(axis.x, 1), b = constant(axis.y, 1), c = constant(axis.z, 1);
-        const auto height = product<N>(x, a) + product<N>(y, b) + product<N>(z, c);
-        const auto across2 = squared(product<N>(y, c) - product<N>(z, b)) +
-                             squared(product<N>(z, a) - product<N>(x, c)) +
-                             squared(product<N>(x, b) - product<N>(y, a));
-        const auto h = product<N>(height, constant(over_axis2, 8));
-        const auto below = polynomial<W, N>{{W(1)}} - h;
-        const auto width = product<4 * N>(product<4 * N>(h, below), squared(below));
-        const auto scale = product<0>(constant(W(27) * over_axis2, 10), squared(constant(over_r, 1)));
-        return product<4 * N>(across2, scale) - product<4 * N>(width, constant(W(256)));
-    }
-
-    template <class W, std::size_t N>
-    RAIO_FN static constexpr polynomial<W, 2 * N> squared(const polynomial<W, N>& p) {
-        return product<2 * N>(p, p);
+    RAIO_FN constexpr polynomial<W, 4 * N> along(const polynomial_vector<W, N>& p) const {
+        const auto number = [](double x) { return line<W>::given(W(x)); };
+        const auto axis = line<W>::between(bottom, tip);
+        const auto over_axis2 = inverse(square(axis)), over_r2 = inverse(square(line<W>::given(radius)));
+        const auto h = dot(p, axis) * over_axis2, below = number(1) - h;
+        const auto rho2 = square(cross(p, axis)) * over_axis2;
+        return rho2 * (number(27) * over_r2) - h * below * square(below) * number(256);
     }
 };
 

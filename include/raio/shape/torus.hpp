@@ -3,7 +3,7 @@
 #include <raio/concepts.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
-#include <raio/proof/crossing_list.hpp>
+#include <raio/proof/line_part.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {
@@ -12,14 +12,25 @@ namespace raio {
 /// solid ring. If the minor radius is the larger one, it has no hole, and what its surface would be inside of itself
 /// does not count.
 ///
-/// A point p, as seen from the centre, lies on it where, with the major radius R and the minor radius r,
+/// Let p be a point as seen from the centre, z its height above the plane of the circle and rho its distance from the
+/// axis, R the major radius and r the minor one. In the plane of p and the axis the tube is a disc: z^2 + (rho - R)^2 =
+/// r^2, which is p.p + R^2 - r^2 = 2 R rho, since p.p = z^2 + rho^2. Squared it is free of the root in rho:
 ///
-///     f = (p.p + R^2 - r^2)^2 - 4 R^2 (p.p - (p.A)^2 / A.A) = 0,    A = axis
+///     f = (p.p + R^2 - r^2)^2 - 4 R^2 rho^2 = 0,    rho^2 = p.p - (p.A)^2 / A.A,    A = axis
 ///
-/// which is the product of (z^2 + (rho - R)^2 - r^2) and (z^2 + (rho + R)^2 - r^2): the second factor is the surface
-/// that does not count, where p.p + R^2 - r^2 < 0. From the line's closest approach to the centre on, p.p has no linear
-/// term and f no cubic one. With the length of that part of the line that lies in the bounding sphere for unit, every
-/// coefficient is at most 16, and the four roots lie between -1 and 1.
+/// The square has added the points where p.p + R^2 - r^2 = -2 R rho. There are some only if r > R: they are the surface
+/// that does not count.
+///
+/// Along a line, f is a polynomial of degree 4. It is written from the point q of the line on that is closest to the
+/// centre, p(x) = q + x e. That has two reasons. However far away the ray starts, q and e are of the size of the torus,
+/// and no power of the distance cancels. And q.e = 0, so that
+///
+///     p.p = q.q + x^2 e.e
+///
+/// has no linear term, and f no cubic one: it is a depressed quartic. Such a one is convex, concave in the middle, and
+/// convex again, and one knows where, so that mostly its first root is found, or that there is none, without those of
+/// its derivative (math/depressed_quartic.hpp). The unit of length is the radius of the bounding sphere, and e goes to
+/// where the line leaves that: every coefficient is at most 16, and the four roots lie between -1 and 1.
 ///
 /// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v the angle about the circle, from the
 /// outside over the axis' end.
@@ -71,70 +82,46 @@ struct torus {
 
     template <class W, real R, class Wanted = every_crossing>
     RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        using E = bound_t<W>;
-        constexpr double u = unit_roundoff<W>, least = least_normal<W>;
-        crossing_list<W, 4> list;
-        vec3<W> d(ray.direction), l = difference_as<W>(center, ray.origin), a(axis), moment = cross(l, d);
+        const line<W, R> line{ray};
+        const auto d = line.direction(), a = line.given(axis);
+        const auto l = line.to(center), moment = cross(l, d);
+        const auto major = line.given(major_radius), minor = line.given(minor_radius);
         // A little more than the bounding sphere, so that the line's ends are clearly outside.
-        W d2 = dot(d, d), a2 = dot(a, a), size = (W(major_radius) + W(minor_radius)) * W(1 + 0x1p-10);
-        W reach2 = d2 * size * size - dot(moment, moment);
-        E far = norm1(vec3<E>(l)), off = E(64 * u) * far;  // how far the point of closest approach may be off
-        const bool sound = major_radius > T(0) && minor_radius > T(0) && a2 >= W(least) && d2 >= W(least);
-        if (!sound || !is_finite(E(reach2))) {
-            list.certain = !sound;
-            return list;
-        }
-        if (off > E(0x1p-13) * E(size)) {  // too far away to be told from its centre
-            list.certain = false;
-            return list;
-        }
-        if (!(reach2 > W(0))) return list;
+        const auto size = as_given((major + minor) * line.given(W(1 + 0x1p-10)));
+        const auto a2 = square(a), d2 = square(d), reach2 = d2 * size * size, passed2 = square(moment);
+        const auto passes =
+            every(is_positive(major), is_positive(minor), is_positive(a2), is_positive(reach2), reach2 >= passed2);
+        crossing_list<W, 4> list;
+        if (!list.holds(passes)) return list;
 
-        W over_d2 = W(1) / d2, over_size = W(1) / size, middle = dot(l, d) * over_d2, half = sqrt(reach2) * over_d2;
-        if (!(half >= W(least))) return list;  // too small for the length of the direction
-        vec3<W> q = cross(moment, d) * (over_d2 * over_size), e = d * (half * over_size);
-        W major2 = W(major_radius) * over_size, minor2 = W(minor_radius) * over_size;
-        major2 = major2 * major2, minor2 = minor2 * minor2;
-        W q2 = dot(q, q), e2 = dot(e, e), over_a2 = W(1) / a2, aq = dot(a, q), ae = dot(a, e);
-        W g = q2 + (major2 - minor2), four = W(4) * major2;
-        polynomial<W, 4> f{{g * g - four * (q2 - aq * aq * over_a2), W(2) * four * (aq * ae * over_a2),
-                            W(2) * g * e2 - four * (e2 - ae * ae * over_a2), W(0), e2 * e2}};
-        E slack = E(32) * off * E(over_size) + E(128 * u);
-        f.error = {slack, slack, slack, E(0), slack};
+        // t = middle + x half, and p(x) = q + x e.
+        const auto over_d2 = inverse(d2), unit = inverse(size);
+        const auto middle = dot(l, d) * over_d2;
+        const auto half = as_given(sqrt(reach2 - passed2) * over_d2);
+        const auto q = cross(moment, d) * (over_d2 * unit), e = d * (half * unit);
+        if (!list.holds(every(is_positive(half), is_known_within(q, line.given(W(1)))))) return list;
 
-        E drift = off * norm1(vec3<E>(d)) * E(over_d2);
+        // p.p = q.q + x^2 e.e, and p.A = q.A + x e.A with the axis as a unit vector.
+        const auto up = a * inverse(sqrt(a2));
+        const auto q2 = square(q), e2 = square(e), qa = dot(q, up), ea = dot(e, up);
+        const auto major2 = square(major * unit), minor2 = square(minor * unit);
+        const auto level = q2 + (major2 - minor2), four_major2 = line.given(W(4)) * major2;
+        const auto two = line.given(W(2)), none = line.given(W(0));
+        auto f = polynomial_of(square(level) - four_major2 * (q2 - square(qa)),  //
+                               two * four_major2 * (qa * ea),                    //
+                               two * e2 * level - four_major2 * (e2 - square(ea)), none, square(e2));
+
         const bool is_ring = minor_radius <= major_radius;
-        const auto roots =
-            roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half, drift) : wanted_roots<W>{});
-        list.certain = roots.certain;
-        bool inside = false;
-        for (const polynomial_root<W>& root : roots) {
-            W t = middle + half * root.t;
-            E error = E(half) * root.error + drift + E(4 * u) * abs(E(t));
-            if (is_ring) {
-                list.append(t, error, root);
-                continue;
-            }
-            // On the surface that counts, `outer` is positive. At its two points on the axis it is zero. In the plane
-            // of the axis and the line two circles meet there, and f is negative within one of them alone. A line that
-            // goes from one into the other stays in the solid, and touches its surface from within. What both enclose
-            // is about the centre: a line enters it there before its closest approach to the centre, and leaves it
-            // there after that.
-            E outer(g + e2 * root.t * root.t), outer_error = slack + E(2) * root.error;
-            const bool tip = abs(outer) <= outer_error, twice = root.before * root.after > 0;
-            const bool entering = root.before > 0, to_other = twice && !entering;
-            const auto append_if_it_counts = [&](bool enters) {
-                const bool leaves = inside && (to_other || E(root.t) >= -root.error);
-                if (tip ? (enters ? !inside : leaves) : outer > E(0)) list.append(t, error, enters), inside = enters;
-            };
-            list.certain = list.certain && !tip;
-            append_if_it_counts(entering);
-            if (twice) append_if_it_counts(!entering);
-        }
-        if (list.touches_origin()) {  // and starts on it, if f is no more than its roundings
-            E terms(dot(l, l) + W(major_radius) * W(major_radius) + W(minor_radius) * W(minor_radius));
-            if (abs(E(level(l))) <= E(32 * u) * E(a2) * terms * terms) list.start_at_origin();
-        }
+        list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
+                  [&](const polynomial_root<W>& root) {
+                      const auto x = root.place(), t = middle + half * x;
+                      if (is_ring) {
+                          list.append(t, root);
+                      } else {
+                          append_outer(level + e2 * square(x), root, t, list);
+                      }
+                  });
+        start_on_surface(list, [&] { return may_be_on_surface(l * unit, major2, minor2); });
         return list;
     }
 
@@ -177,6 +164,37 @@ struct torus {
     }
 
 private:
+    /// Takes over a root of a torus without a hole, if it counts: if there p.p + R^2 - r^2 >= 0.
+    ///
+    /// At the two points of the surface on the axis that is zero. In the plane of the axis and the line two circles
+    /// meet there, and f is negative within one of them alone. A line that goes from one into the other stays in the
+    /// solid, and touches its surface from within. What both enclose is about the centre: a line enters it there before
+    /// its closest approach to the centre, and leaves it there after that.
+    template <class W>
+    RAIO_FN static constexpr void append_outer(const bounded_number<W>& level, const polynomial_root<W>& root,
+                                               const bounded_number<W>& t, crossing_list<W, 4>& list) {
+        const auto x = root.place(), zero = line<W>::given(W(0));
+        const auto counts = level >= zero;
+        const bool outer = list.holds(counts), on_axis = !is_settled(counts), entering = root.before > 0,
+                   to_other = root.is_touched() && !entering;
+        const auto append = [&](bool enters) {
+            const bool inside = list.count > 0 && list.crossings[list.count - 1].entering;
+            const bool leaves = inside && (to_other || (x >= zero).possibly);
+            if (on_axis ? (enters ? !inside : leaves) : outer) list.append(t, enters);
+        };
+        append(entering);
+        if (root.is_touched()) append(!entering);
+    }
+
+    /// Is f = 0 at p, or at -p, as far as can be told?
+    template <class W, int K, proven_number A>
+    RAIO_FN constexpr bool may_be_on_surface(const rounded_vector<W, K>& p, const A& major2, const A& minor2) const {
+        const auto a = line<W>::given(axis);
+        const auto a2 = square(a), p2 = square(p);
+        const auto rho2 = a2 * p2 - square(dot(p, a));  // times A.A
+        return may_be_equal(a2 * square(p2 + (major2 - minor2)), line<W>::given(W(4)) * major2 * rho2);
+    }
+
     /// f, times A.A, at the point p as seen from the centre, or at -p.
     template <class W>
     RAIO_FN constexpr W level(const vec3<W>& p) const {

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <raio/math/polynomial.hpp>
+#include <raio/proof/crossing_list.hpp>
+#include <raio/proof/line.hpp>
+
+namespace raio {
+
+/// Is a point known to a part of a size?
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> is_known_within(const bounded_vector<W>& p, const given_number<W>& size) {
+    const mask_t<W> known = p.error < bound_t<W>(0x1p-13) * size_of(size);
+    return {known, W(0) == W(0), known};
+}
+
+/// A part of a line. The point at x, as seen from some base, is from + x along; it is that of the ray at t = middle + x
+/// half. Middle and half are given: whatever they were rounded to, that is the part that is meant.
+template <class W>
+struct line_part {
+    using E = bound_t<W>;
+
+    bool exists, certain;  ///< is there one, and is that right whatever the rounding errors were?
+    vec3<W> from{W(0)}, along{W(0)};
+    vec3<E> error{E(0)};  ///< how far `from` may be off
+    W middle{0}, half{0};
+    W reach{1};  ///< all that counts lies between x = -reach and reach
+
+    /// Is there one?
+    RAIO_FN constexpr verdict<bool> is_there() const { return {exists && certain, exists || !certain, exists}; }
+
+    /// One coordinate of the point, as a polynomial in x.
+    RAIO_FN constexpr polynomial<W, 1> coordinate(glm::length_t axis) const {
+        return {{from[axis], along[axis]}, {error[axis], E(unit_roundoff<W>) * abs(E(along[axis]))}};
+    }
+
+    RAIO_FN constexpr polynomial_vector<W, 1> point() const { return {coordinate(0), coordinate(1), coordinate(2)}; }
+
+    template <class Wanted>
+    RAIO_FN constexpr wanted_roots<W> roots_for(const Wanted& wanted) const {
+        return raio::roots_for(wanted, middle, half, E(0));
+    }
+
+    RAIO_FN constexpr crossing<W> at(const polynomial_root<W>& root, bool entering) const {
+        const bounded_number<W> t = given_number<W>{middle} + given_number<W>{half} * root.place();
+        return {true, true, t.value, t.error * E(1 + 8 * unit_roundoff<E>), entering};
+    }
+};
+
+/// The part of a line about `middle` on which something may be met that has a size, if it passes that. So far away that
+/// the place cannot be told from others by that size, nobody knows.
+template <class W, class R, real T>
+RAIO_FN constexpr line_part<W> part_of(const line<W, R>& line, const verdict<bool>& passes, const vec3<T>& base,
+                                       const given_number<W>& size, const given_number<W>& middle,
+                                       const given_number<W>& half, const W& reach) {
+    const auto start = line.from(base), step = line.direction() * middle, along = line.direction() * half;
+    vec3<bound_t<W>> error;
+    bounded_vector<W> from{};
+    const auto put = [&](const bounded_number<W>& x, W& value, bound_t<W>& off) { value = x.value, off = x.error; };
+    put(start[0] + step[0], from.x, error.x), put(start[1] + step[1], from.y, error.y),
+        put(start[2] + step[2], from.z, error.z);
+    from.error = norm1(error);
+    const verdict<bool> found = every(passes, is_known_within(from, size));
+    return {found.yes,
+            is_settled(found),
+            {from.x, from.y, from.z},
+            {along.x, along.y, along.z},
+            error,
+            middle.value,
+            half.value,
+            reach};
+}
+
+}  // namespace raio
