@@ -3,8 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include <raio/number/double_double.hpp>
-#include <raio/number/real.hpp>
+#include <raio/number/bounded_number.hpp>
 
 /// \file
 /// Polynomials, their sums and products, the errors of their coefficients carried along.
@@ -90,6 +89,23 @@ RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a) {
 template <real W, std::size_t N>
 RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a, const polynomial<W, N>& b) {
     return a + -b;
+}
+
+/// The polynomial of these coefficients, the constant one first.
+template <class W, std::same_as<bounded_number<W>>... More>
+RAIO_FN constexpr polynomial<W, sizeof...(More)> polynomial_of(const bounded_number<W>& constant, const More&... more) {
+    return {{constant.value, more.value...}, {constant.error, more.error...}};
+}
+
+/// Has it one sign from 0 to 1, beyond doubt? It has where the coefficients of its Bernstein form have one.
+template <real W>
+RAIO_FN constexpr bool has_one_sign(const polynomial<W, 2>& p) {
+    using E = bound_t<W>;
+    const auto& c = p.coefficient;
+    E start(c[0]), middle(c[0] + c[1] * W(0.5)), end(c[0] + c[1] + c[2]);
+    E size = abs(E(c[0])) + abs(E(c[1])) + abs(E(c[2]));
+    E error = p.error[0] + p.error[1] + p.error[2] + E(4 * unit_roundoff<W>) * size;
+    return min(min(start, middle), end) > error || max(max(start, middle), end) < -error;
 }
 
 /// A number that was computed with so many roundings.

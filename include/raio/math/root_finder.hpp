@@ -23,6 +23,12 @@ struct polynomial_root {
     bound_t<W> error;   ///< bound of |t - root|, for every root that is meant
     int before, after;  ///< the signs of the polynomial to both sides; 0 beyond an end of the interval
     bound_t<W> height;  ///< of another one's turn: bound of this one's magnitude from t to each root that is meant
+
+    RAIO_FN constexpr bounded_number<W> place() const { return {t, error}; }
+    /// Is the polynomial zero there without changing its sign?
+    RAIO_FN constexpr bool is_touched() const { return before * after > 0; }
+    /// The same root of -p.
+    RAIO_FN constexpr polynomial_root operator-() const { return {t, error, -before, -after, height}; }
 };
 
 namespace detail {

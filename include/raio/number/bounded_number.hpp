@@ -232,4 +232,12 @@ RAIO_FN constexpr bounded_number<W> min(const bounded_number<W>& a, const bounde
     return -max(-a, -b);
 }
 
+/// A number that is known to lie between these two, if there is one.
+template <class W>
+RAIO_FN constexpr bounded_number<W> held_between(const bounded_number<W>& a, const W& low, const W& high) {
+    using E = bound_t<W>;
+    // What is not a number becomes `high`.
+    return {max(low, min(high, a.value)), min(E(high - low), a.error)};
+}
+
 }  // namespace raio

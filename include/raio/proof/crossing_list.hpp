@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include <raio/math/polynomial_roots.hpp>
 #include <raio/proof/settle.hpp>
 
@@ -44,6 +46,26 @@ struct crossing_list {
         if (root.before * root.after > 0) append(t, error, !entering);
     }
 
+    /// The same, if there is one at that place: u and v say where on the surface.
+    RAIO_FN constexpr void append(const verdict<bool>& exists, const bounded_number<W>& t,
+                                  const polynomial_root<W>& root, const W& u, const W& v) {
+        certain = certain && (exists.certainly || !exists.possibly);
+        if (!(has_closer_look<W> ? exists.possibly : exists.yes)) return;
+        const bool entering = root.before > 0 || (root.before == 0 && root.after < 0);
+        const auto put = [&](crossing<W>& c, bool enters) {  // in its place: GCC would copy it from elsewhere
+            c.exists = c.certain = true, c.t = t.value, c.error = detail::rounded_up<W>(t.error), c.entering = enters;
+            c.u = u, c.v = v;
+        };
+        if (count < N) put(crossings[count++], entering);
+        if (root.is_touched() && count < N) put(crossings[count++], !entering);
+    }
+
+    /// Takes over a crossing, if there is one.
+    RAIO_FN constexpr void append_if_exists(const crossing<W>& c) {
+        certain = certain && c.certain;
+        if (c.exists) append(c);
+    }
+
     /// May the line start on the surface?
     RAIO_FN constexpr bool touches_origin() const {
         for (const crossing<W>& c : *this) {
@@ -56,6 +78,27 @@ struct crossing_list {
         for (std::size_t i = 0; i < count; ++i) raio::start_at_origin(crossings[i], true);
     }
 };
+
+/// Puts two crossings in order. What cannot be told apart keeps its order.
+template <class W>
+RAIO_FN constexpr void sort_by_t(crossing_list<W, 2>& list) {
+    if (list.count < 2) return;
+    auto& [first, second] = list.crossings;
+    bound_t<W> apart(second.t - first.t), error = first.error + second.error;
+    list.certain = list.certain && abs(apart) > error;
+    if (apart < -error) {
+        std::swap(first, second);
+    } else if (apart < error) {
+        second.t = first.t;
+    }
+}
+
+/// A crossing that cannot be told from t = 0 is there, if the line starts on the surface.
+/// \param starts  does it? Asked only then
+template <class W, std::size_t N>
+RAIO_FN constexpr void start_on_surface(crossing_list<W, N>& list, auto starts) {
+    if (list.touches_origin() && starts()) list.start_at_origin();
+}
 
 /// The same crossings as a list.
 template <class W, std::size_t N>
