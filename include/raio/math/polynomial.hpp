@@ -3,10 +3,10 @@
 #include <array>
 #include <cstddef>
 
-#include <raio/number/bounded_number.hpp>
+#include <raio/number/bounded_vector.hpp>
 
 /// \file
-/// Polynomials, their sums and products, the errors of their coefficients carried along.
+/// Polynomials, their sums and products, the errors of their coefficients carried along; and vectors of them.
 
 namespace raio {
 
@@ -15,6 +15,8 @@ template <real W, std::size_t N>
 struct polynomial {
     std::array<W, N + 1> coefficient{};
     std::array<bound_t<W>, N + 1> error{};  ///< how far each coefficient may be off
+
+    RAIO_FN constexpr bounded_number<W> operator[](std::size_t k) const { return {coefficient[k], error[k]}; }
 
     /// Even and odd powers are added up side by side: each sum waits for itself alone.
     RAIO_FN constexpr W operator()(const W& t) const {
@@ -29,6 +31,16 @@ struct polynomial {
             const W square = t * t;
             return sum_from(N - N % 2, square) + sum_from(N - 1 + N % 2, square) * t;
         }
+    }
+
+    /// The value at a place that is itself known up to an error: no steeper than the slope there, and what that
+    /// changes.
+    RAIO_FN constexpr bounded_number<W> operator()(const bounded_number<W>& t) const {
+        using E = bound_t<W>;
+        const auto slope = derivative();
+        E place = size_of(t) + t.error;
+        E steepest = abs(E(slope(t.value))) + slope.noise()(place) + t.error * slope.derivative().magnitude(place);
+        return {(*this)(t.value), noise()(place) + t.error * steepest};
     }
 
     /// Of a constant it is the constant 0.
@@ -67,17 +79,32 @@ struct polynomial {
     }
 };
 
-template <real W, std::size_t N>
-RAIO_FN constexpr polynomial<W, N> operator+(const polynomial<W, N>& a, const polynomial<W, N>& b) {
+/// The polynomial of these coefficients, the constant one first.
+template <proven_number Constant, proven_number... More>
+RAIO_FN constexpr auto polynomial_of(const Constant& constant, const More&... more) {
+    using W = typename Constant::number;
+    polynomial<W, sizeof...(More)> p;
+    std::size_t k = 0;
+    const auto put = [&](const bounded_number<W>& c) { p.coefficient[k] = c.value, p.error[k++] = c.error; };
+    put(constant), (put(more), ...);
+    return p;
+}
+
+template <real W, std::size_t N, std::size_t M>
+RAIO_FN constexpr polynomial<W, (N < M ? M : N)> operator+(const polynomial<W, N>& a, const polynomial<W, M>& b) {
     using E = bound_t<W>;
-    polynomial<W, N> sum;
-    for (std::size_t k = 0; k <= N; ++k) {
-        sum.coefficient[k] = a.coefficient[k] + b.coefficient[k];
-        // Twice the roundoff: that of a sum of two doubles is of the size of its operands.
-        E size = max(abs(E(a.coefficient[k])), abs(E(b.coefficient[k])));
-        sum.error[k] = a.error[k] + b.error[k] + E(2 * unit_roundoff<W>) * size;
+    if constexpr (N < M) {
+        return b + a;
+    } else {
+        polynomial<W, N> sum = a;
+        for (std::size_t k = 0; k <= M; ++k) {
+            sum.coefficient[k] = a.coefficient[k] + b.coefficient[k];
+            // Twice the roundoff: that of a sum of two doubles is of the size of its operands.
+            E size = max(abs(E(a.coefficient[k])), abs(E(b.coefficient[k])));
+            sum.error[k] = a.error[k] + b.error[k] + E(2 * unit_roundoff<W>) * size;
+        }
+        return sum;
     }
-    return sum;
 }
 
 template <real W, std::size_t N>
@@ -86,15 +113,9 @@ RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a) {
     for (W& c : minus.coefficient) c = -c;
     return minus;
 }
-template <real W, std::size_t N>
-RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a, const polynomial<W, N>& b) {
+template <real W, std::size_t N, std::size_t M>
+RAIO_FN constexpr polynomial<W, (N < M ? M : N)> operator-(const polynomial<W, N>& a, const polynomial<W, M>& b) {
     return a + -b;
-}
-
-/// The polynomial of these coefficients, the constant one first.
-template <class W, std::same_as<bounded_number<W>>... More>
-RAIO_FN constexpr polynomial<W, sizeof...(More)> polynomial_of(const bounded_number<W>& constant, const More&... more) {
-    return {{constant.value, more.value...}, {constant.error, more.error...}};
 }
 
 /// Has it one sign from 0 to 1, beyond doubt? It has where the coefficients of its Bernstein form have one.
@@ -132,6 +153,63 @@ RAIO_FN constexpr polynomial<W, K> product(const polynomial<W, N>& a, const poly
         }
     }
     return p;
+}
+
+template <real W, std::size_t N, std::size_t M>
+RAIO_FN constexpr polynomial<W, N + M> operator*(const polynomial<W, N>& a, const polynomial<W, M>& b) {
+    return product<N + M>(a, b);
+}
+template <real W, std::size_t N>
+RAIO_FN constexpr polynomial<W, 2 * N> square(const polynomial<W, N>& a) {
+    return a * a;
+}
+
+// With numbers.
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial<W, N> operator+(const polynomial<W, N>& p, const A& a) {
+    return p + polynomial_of(a);
+}
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& p, const A& a) {
+    return p + -a;
+}
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial<W, N> operator-(const A& a, const polynomial<W, N>& p) {
+    return -p + a;
+}
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial<W, N> operator*(const polynomial<W, N>& p, const A& a) {
+    return product<N>(p, polynomial_of(a));
+}
+
+/// A vector whose components are polynomials: with those of degree 1, a point on its way along a line.
+template <real W, std::size_t N>
+using polynomial_vector = std::array<polynomial<W, N>, 3>;
+
+template <real W, std::size_t N, proven_vector V>
+RAIO_FN constexpr polynomial_vector<W, N> operator+(const polynomial_vector<W, N>& p, const V& v) {
+    return {p[0] + v[0], p[1] + v[1], p[2] + v[2]};
+}
+template <real W, std::size_t N, proven_vector V>
+RAIO_FN constexpr polynomial_vector<W, N> operator-(const polynomial_vector<W, N>& p, const V& v) {
+    return p + -v;
+}
+template <real W, std::size_t N, proven_number A>
+RAIO_FN constexpr polynomial_vector<W, N> operator*(const polynomial_vector<W, N>& p, const A& a) {
+    return {p[0] * a, p[1] * a, p[2] * a};
+}
+template <real W, std::size_t N, proven_vector V>
+RAIO_FN constexpr polynomial<W, N> dot(const polynomial_vector<W, N>& p, const V& v) {
+    return p[0] * v[0] + p[1] * v[1] + p[2] * v[2];
+}
+template <real W, std::size_t N, proven_vector V>
+RAIO_FN constexpr polynomial_vector<W, N> cross(const polynomial_vector<W, N>& p, const V& v) {
+    return {p[1] * v[2] - p[2] * v[1], p[2] * v[0] - p[0] * v[2], p[0] * v[1] - p[1] * v[0]};
+}
+/// p.p
+template <real W, std::size_t N>
+RAIO_FN constexpr polynomial<W, 2 * N> square(const polynomial_vector<W, N>& p) {
+    return square(p[0]) + square(p[1]) + square(p[2]);
 }
 
 }  // namespace raio

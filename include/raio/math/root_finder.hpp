@@ -25,11 +25,19 @@ struct polynomial_root {
     bound_t<W> height;  ///< of another one's turn: bound of this one's magnitude from t to each root that is meant
 
     RAIO_FN constexpr bounded_number<W> place() const { return {t, error}; }
+    /// Does the polynomial change its sign there?
+    RAIO_FN constexpr bool is_simple() const { return before * after < 0; }
     /// Is the polynomial zero there without changing its sign?
     RAIO_FN constexpr bool is_touched() const { return before * after > 0; }
     /// The same root of -p.
     RAIO_FN constexpr polynomial_root operator-() const { return {t, error, -before, -after, height}; }
 };
+
+/// A place that is as good as a root, whatever the signs are.
+template <real W>
+RAIO_FN constexpr polynomial_root<W> root_at(const bounded_number<W>& place) {
+    return {place.value, place.error, 0, 0, bound_t<W>(0)};
+}
 
 namespace detail {
 

@@ -147,6 +147,19 @@ RAIO_FN constexpr rounded_number<W, K + 1> inverse(const rounded_number<W, K>& a
     return {select(is_apart, W(1), W(std::numeric_limits<scalar_t<W>>::quiet_NaN())) / select(is_apart, a.value, W(1))};
 }
 
+/// a / b. It may be anything where b may be zero.
+template <proven_number A, proven_number B>
+RAIO_FN constexpr auto operator/(const A& a, const B& b) {
+    using W = typename A::number;
+    using E = bound_t<W>;
+    const bounded_number<W> above = a, below = b;
+    W ratio = quotient(above.value, below.value, W(0));
+    // With the errors da and db the exact one is at most (da + |a / b| db) / (|b| - db) away.
+    E size = abs(E(ratio)), least = size_of(below) - below.error;
+    E error = (above.error + size * below.error) / least + detail::roundings<W>(2, size);
+    return bounded_number<W>{ratio, select(mask_t<E>(least > E(0)), error, E(infinity<E>))};
+}
+
 /// The root, and 0 of what is negative: of what should be zero it may be an error.
 template <class W>
 RAIO_FN constexpr bounded_number<W> sqrt(const bounded_number<W>& a) {
@@ -192,6 +205,12 @@ RAIO_FN constexpr auto operator<(const A& a, const B& b) {
 template <proven_number A, proven_number B>
 RAIO_FN constexpr auto operator>(const A& a, const B& b) {
     return !(b >= a);
+}
+
+/// Is the first known at least as well as the second?
+template <class W>
+RAIO_FN constexpr mask_t<bound_t<W>> is_better_known(const bounded_number<W>& a, const bounded_number<W>& b) {
+    return !(b.error < a.error);  // nor is the second known at all where its bound is no number
 }
 
 /// Is it above zero? What the last precision knows less than ten digits of is zero to it.

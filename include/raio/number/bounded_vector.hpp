@@ -21,6 +21,7 @@ struct rounded_vector {
     W x, y, z;
 
     RAIO_FN constexpr rounded_vector operator-() const { return {-x, -y, -z}; }
+    RAIO_FN constexpr rounded_number<W, K> operator[](int axis) const { return {axis == 0 ? x : axis == 1 ? y : z}; }
 };
 template <class W>
 using given_vector = rounded_vector<W, 0>;
@@ -34,6 +35,9 @@ struct bounded_vector {
     bound_t<W> error;
 
     RAIO_FN constexpr bounded_vector operator-() const { return {-x, -y, -z, error}; }
+    RAIO_FN constexpr bounded_number<W> operator[](int axis) const {
+        return {axis == 0 ? x : axis == 1 ? y : z, error};
+    }
 };
 
 namespace detail {

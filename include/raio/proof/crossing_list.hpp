@@ -20,6 +20,9 @@ struct crossing_list {
     crossing_list() = default;
     /// None.
     RAIO_FN constexpr explicit crossing_list(bool is_certain) : certain(is_certain) {}
+    /// None yet of those at these roots.
+    template <std::size_t M>
+    RAIO_FN constexpr explicit crossing_list(const polynomial_roots<W, M>& roots) : certain(roots.certain) {}
 
     RAIO_FN constexpr const crossing<W>* begin() const { return crossings.data(); }
     RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
@@ -49,7 +52,7 @@ struct crossing_list {
     /// The same, if there is one at that place: u and v say where on the surface.
     RAIO_FN constexpr void append(const verdict<bool>& exists, const bounded_number<W>& t,
                                   const polynomial_root<W>& root, const W& u, const W& v) {
-        certain = certain && (exists.certainly || !exists.possibly);
+        depends_on(exists);
         if (!(has_closer_look<W> ? exists.possibly : exists.yes)) return;
         const bool entering = root.before > 0 || (root.before == 0 && root.after < 0);
         const auto put = [&](crossing<W>& c, bool enters) {  // in its place: GCC would copy it from elsewhere
@@ -60,11 +63,22 @@ struct crossing_list {
         if (root.is_touched() && count < N) put(crossings[count++], !entering);
     }
 
+    /// Puts a crossing where its t belongs. u is the place on the surface, and v how far that may be off.
+    RAIO_FN constexpr void insert(crossing<W> c, const bounded_number<W>& place) {
+        c.u = place.value, c.v = W(place.error);
+        std::size_t i = count++;
+        for (; i > 0 && c.t < crossings[i - 1].t; --i) crossings[i] = crossings[i - 1];
+        crossings[i] = c;
+    }
+
     /// Takes over a crossing, if there is one.
     RAIO_FN constexpr void append_if_exists(const crossing<W>& c) {
         certain = certain && c.certain;
         if (c.exists) append(c);
     }
+
+    /// What was decided on the way: where that is in doubt, so is the list.
+    RAIO_FN constexpr void depends_on(const verdict<bool>& decided) { certain = certain && is_settled(decided); }
 
     /// May the line start on the surface?
     RAIO_FN constexpr bool touches_origin() const {

@@ -154,12 +154,11 @@ private:
         const auto half = line.given(T(0.5));
         const auto of_a = cross(d, a), of_edge = cross(d, edge);
         const auto f = polynomial_of(dot(w, of_a), dot(twist, of_a) + dot(w, of_edge), dot(twist, of_edge));
-        crossing_list<W, 2> list;
-        if (has_one_sign(f)) return list;
+        if (has_one_sign(f)) return {};
 
         const auto roots = known_roots_between(f, W(-0.125), W(1.125));
         const auto d2 = square(d);
-        list.certain = roots.certain;
+        crossing_list<W, 2> list(roots);
         for (const polynomial_root<W>& root : roots) {
             const auto u = root.place();
             const auto from = a + edge * u, along = w + twist * u;
