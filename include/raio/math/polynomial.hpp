@@ -33,6 +33,16 @@ struct polynomial {
         }
     }
 
+    /// The value at a place that is itself known up to an error: no steeper than the slope there, and what that
+    /// changes.
+    RAIO_FN constexpr bounded_number<W> operator()(const bounded_number<W>& t) const {
+        using E = bound_t<W>;
+        const auto slope = derivative();
+        E place = size_of(t) + t.error;
+        E steepest = abs(E(slope(t.value))) + slope.noise()(place) + t.error * slope.derivative().magnitude(place);
+        return {(*this)(t.value), noise()(place) + t.error * steepest};
+    }
+
     /// Of a constant it is the constant 0.
     RAIO_FN constexpr polynomial<W, N - (N > 0)> derivative() const {
         using E = bound_t<W>;
@@ -106,6 +116,17 @@ RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a) {
 template <real W, std::size_t N, std::size_t M>
 RAIO_FN constexpr polynomial<W, (N < M ? M : N)> operator-(const polynomial<W, N>& a, const polynomial<W, M>& b) {
     return a + -b;
+}
+
+/// Has it one sign from 0 to 1, beyond doubt? It has where the coefficients of its Bernstein form have one.
+template <real W>
+RAIO_FN constexpr bool has_one_sign(const polynomial<W, 2>& p) {
+    using E = bound_t<W>;
+    const auto& c = p.coefficient;
+    E start(c[0]), middle(c[0] + c[1] * W(0.5)), end(c[0] + c[1] + c[2]);
+    E size = abs(E(c[0])) + abs(E(c[1])) + abs(E(c[2]));
+    E error = p.error[0] + p.error[1] + p.error[2] + E(4 * unit_roundoff<W>) * size;
+    return min(min(start, middle), end) > error || max(max(start, middle), end) < -error;
 }
 
 /// A number that was computed with so many roundings.

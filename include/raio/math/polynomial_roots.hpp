@@ -90,4 +90,22 @@ template <real W, std::size_t N>
     return found;
 }
 
+/// The same, but none of which all but nothing is known, not to a millionth of the interval: that is where a polynomial
+/// is zero, or all but zero, for long. As long as there is a closer look at it, it may be anywhere.
+template <real W, std::size_t N>
+RAIO_FN constexpr polynomial_roots<W, N> known_roots_between(const polynomial<W, N>& p, const W& low, const W& high) {
+    using E = bound_t<W>;
+    polynomial_roots<W, N> roots = roots_between(p, low, high);
+    if constexpr (!has_closer_look<W>) {
+        const std::size_t found = roots.count;
+        roots.count = 0;
+        for (std::size_t i = 0; i < found; ++i) {
+            const bool known = roots.places[i].error <= E(0x1p-20) * E(high - low);
+            if (known) roots.places[roots.count++] = roots.places[i];
+            roots.certain = roots.certain && known;
+        }
+    }
+    return roots;
+}
+
 }  // namespace raio

@@ -20,17 +20,27 @@ namespace raio {
 template <real W>
 struct polynomial_root {
     W t;
-    bound_t<W> error;   ///< bound of |t - root|, for every root that is meant
-    int before, after;  ///< the signs of the polynomial to both sides; 0 beyond an end of the interval
-    bound_t<W> height;  ///< of another one's turn: bound of this one's magnitude from t to each root that is meant
+    bound_t<W> error;      ///< bound of |t - root|, for every root that is meant
+    int before, after;     ///< the signs of the polynomial to both sides; 0 beyond an end of the interval
+    bound_t<W> height;     ///< of another one's turn: bound of this one's magnitude from t to each root that is meant
     bound_t<W> turned{0};  ///< how far off the extremum is, if it is one
 
     RAIO_FN constexpr bounded_number<W> place() const { return {t, error}; }
+    /// Does the polynomial change its sign there?
+    RAIO_FN constexpr bool is_simple() const { return before * after < 0; }
     /// Is the polynomial zero there without changing its sign?
     RAIO_FN constexpr bool is_touched() const { return before * after > 0; }
     /// Where it turns then.
     RAIO_FN constexpr bounded_number<W> turn() const { return {t, turned}; }
+    /// The same root of -p.
+    RAIO_FN constexpr polynomial_root operator-() const { return {t, error, -before, -after, height, turned}; }
 };
+
+/// A place that is as good as a root, whatever the signs are.
+template <real W>
+RAIO_FN constexpr polynomial_root<W> root_at(const bounded_number<W>& place) {
+    return {place.value, place.error, 0, 0, bound_t<W>(0)};
+}
 
 namespace detail {
 

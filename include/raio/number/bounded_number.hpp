@@ -35,12 +35,12 @@ namespace detail {
 /// (Numbers with a larger range than a double's lose nothing.)
 template <class W>
 inline constexpr double lost = std::numeric_limits<scalar_t<W>>::max_exponent > 1024 ? 0
-                               : std::same_as<scalar_t<W>, float>                   ? 0x1p-90
-                                                                                    : 0x1p-960;
+                               : std::same_as<scalar_t<W>, float>                    ? 0x1p-90
+                                                                                     : 0x1p-960;
 template <class W>
 inline constexpr double least_divisor = std::numeric_limits<scalar_t<W>>::max_exponent > 1024 ? 0
-                                        : std::same_as<scalar_t<W>, float>                   ? 0x1p-50
-                                                                                             : 0x1p-900;
+                                        : std::same_as<scalar_t<W>, float>                    ? 0x1p-50
+                                                                                              : 0x1p-900;
 
 /// So many roundings of numbers of this size.
 template <class W>
@@ -167,15 +167,18 @@ RAIO_FN constexpr rounded_number<W, K + 1> inverse(const rounded_number<W, K>& a
     return {select(is_apart, W(1), W(std::numeric_limits<scalar_t<W>>::quiet_NaN())) / select(is_apart, a.value, W(1))};
 }
 
-/// a / b. Nothing is known of it where b may be zero.
-template <class W>
-RAIO_FN constexpr bounded_number<W> operator/(const bounded_number<W>& a, const bounded_number<W>& b) {
+/// a / b. It may be anything where b may be zero.
+template <proven_number A, proven_number B>
+RAIO_FN constexpr auto operator/(const A& a, const B& b) {
+    using W = typename A::number;
     using E = bound_t<W>;
-    W over = quotient(W(1), b.value, W(infinity<W>)), t = a.value * over;
+    const bounded_number<W> above = a, below = b;
+    W over = quotient(W(1), below.value, W(infinity<W>)), ratio = above.value * over;
     // a / b - a' / b' = (a - a' - (a / b) (b - b')) / b', and |b'| is at least half of |b|.
-    E size = abs(E(t)), error = E(2) * (a.error + size * b.error) * abs(E(over)) + detail::roundings<W>(3, size);
-    const mask_t<E> is_apart = size_of(b) > E(2) * b.error + E(detail::lost<W>);
-    return {t, select(is_apart, error, E(infinity<E>))};
+    E size = abs(E(ratio));
+    E error = E(2) * (above.error + size * below.error) * abs(E(over)) + detail::roundings<W>(3, size);
+    const mask_t<E> is_apart = size_of(below) > E(2) * below.error + E(detail::least_divisor<W>);
+    return bounded_number<W>{ratio, select(is_apart, error, E(infinity<E>))};
 }
 
 /// The root, and 0 of what is negative: of what should be zero it may be an error.
@@ -231,6 +234,12 @@ RAIO_FN constexpr auto may_be_equal(const A& a, const B& b) {
     using W = typename A::number;
     const bounded_number<W> difference = a - b;
     return size_of(difference) <= detail::rounded_up<W>(difference.error) + bound_t<W>(detail::lost<W>);
+}
+
+/// Is the first known at least as well as the second?
+template <class W>
+RAIO_FN constexpr mask_t<bound_t<W>> is_better_known(const bounded_number<W>& a, const bounded_number<W>& b) {
+    return !(b.error < a.error);  // nor is the second known at all where its bound is no number
 }
 
 /// Is it above zero? What the last precision knows less than ten digits of is zero to it.
@@ -351,6 +360,14 @@ RAIO_FN constexpr bounded_number<W> max(const bounded_number<W>& a, const bounde
 template <class W>
 RAIO_FN constexpr bounded_number<W> min(const bounded_number<W>& a, const bounded_number<W>& b) {
     return -max(-a, -b);
+}
+
+/// A number that is known to lie between these two, if there is one.
+template <class W>
+RAIO_FN constexpr bounded_number<W> held_between(const bounded_number<W>& a, const W& low, const W& high) {
+    using E = bound_t<W>;
+    // What is not a number becomes `high`.
+    return {max(low, min(high, a.value)), min(E(high - low), a.error)};
 }
 
 }  // namespace raio

@@ -178,6 +178,20 @@ RAIO_FN constexpr bounded_number<W> square(const bounded_vector<W>& v) {
     return {sum, v.error * (E(2) * size_of(v) + v.error) + detail::roundings<W>(3, E(sum))};
 }
 
+/// |x| + |y| + |z|
+template <class W>
+RAIO_FN constexpr bounded_number<W> norm1(const bounded_vector<W>& v) {
+    W size = abs(v.x) + abs(v.y) + abs(v.z);
+    return {size, v.error + detail::roundings<W>(2, bound_t<W>(size))};
+}
+
+/// The s of a = s b, for two vectors of one direction. The signs of b stand for b: no product gets out of range.
+template <class W>
+RAIO_FN constexpr bounded_number<W> ratio(const bounded_vector<W>& a, const bounded_vector<W>& b) {
+    W reach = flip(a.x, b.x) + flip(a.y, b.y) + flip(a.z, b.z);
+    return bounded_number<W>(reach, a.error + detail::roundings<W>(2, size_of(a))) * inverse(norm1(b));
+}
+
 template <proven_vector A, proven_vector B>
 RAIO_FN constexpr auto operator+(const A& a, const B& b) {
     using W = typename A::number;

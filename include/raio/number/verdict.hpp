@@ -36,10 +36,4 @@ RAIO_FN constexpr verdict<Mask> some(const verdict<Mask>& a, const More&... more
     return {some(a.certainly, more.certainly...), some(a.possibly, more.possibly...), some(a.yes, more.yes...)};
 }
 
-/// Is it beyond doubt?
-template <class Mask>
-RAIO_FN constexpr Mask is_settled(const verdict<Mask>& a) {
-    return some(a.certainly, !a.possibly);
-}
-
 }  // namespace raio

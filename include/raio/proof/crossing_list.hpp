@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include <raio/math/polynomial_roots.hpp>
 #include <raio/proof/settle.hpp>
 
@@ -20,6 +22,10 @@ struct crossing_list {
     RAIO_FN constexpr explicit crossing_list(bool is_certain) : certain(is_certain) {}
     /// None, as far as it is settled whether there may be some.
     RAIO_FN constexpr explicit crossing_list(const verdict<bool>& exist) : certain(is_settled(exist)) {}
+
+    /// None yet of those at these roots.
+    template <std::size_t M>
+    RAIO_FN constexpr explicit crossing_list(const polynomial_roots<W, M>& roots) : certain(roots.certain) {}
 
     RAIO_FN constexpr const crossing<W>* begin() const { return crossings.data(); }
     RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
@@ -59,7 +65,7 @@ struct crossing_list {
 
     /// Does what the crossings depend on hold? Where that is in doubt, so is the list.
     RAIO_FN constexpr bool holds(const verdict<bool>& condition) {
-        certain = certain && is_settled(condition);
+        depends_on(condition);
         return condition.yes;
     }
 
@@ -69,6 +75,37 @@ struct crossing_list {
         certain = certain && roots.certain;
         for (const polynomial_root<W>& root : roots) each(root);
     }
+
+    /// The same, if there is one at that place: u and v say where on the surface.
+    RAIO_FN constexpr void append(const verdict<bool>& exists, const bounded_number<W>& t,
+                                  const polynomial_root<W>& root, const W& u, const W& v) {
+        depends_on(exists);
+        if (!(has_closer_look<W> ? exists.possibly : exists.yes)) return;
+        const bool entering = root.before > 0 || (root.before == 0 && root.after < 0);
+        const auto put = [&](crossing<W>& c, bool enters) {  // in its place: GCC would copy it from elsewhere
+            c.exists = c.certain = true, c.t = t.value, c.error = detail::rounded_up<W>(t.error), c.entering = enters;
+            c.u = u, c.v = v;
+        };
+        if (count < N) put(crossings[count++], entering);
+        if (root.is_touched() && count < N) put(crossings[count++], !entering);
+    }
+
+    /// Puts a crossing where its t belongs. u is the place on the surface, and v how far that may be off.
+    RAIO_FN constexpr void insert(crossing<W> c, const bounded_number<W>& place) {
+        c.u = place.value, c.v = W(place.error);
+        std::size_t i = count++;
+        for (; i > 0 && c.t < crossings[i - 1].t; --i) crossings[i] = crossings[i - 1];
+        crossings[i] = c;
+    }
+
+    /// Takes over a crossing, if there is one.
+    RAIO_FN constexpr void append_if_exists(const crossing<W>& c) {
+        certain = certain && c.certain;
+        if (c.exists) append(c);
+    }
+
+    /// What was decided on the way: where that is in doubt, so is the list.
+    RAIO_FN constexpr void depends_on(const verdict<bool>& decided) { certain = certain && is_settled(decided); }
 
     /// May the line start on the surface?
     RAIO_FN constexpr bool touches_origin() const {
@@ -82,6 +119,20 @@ struct crossing_list {
         for (std::size_t i = 0; i < count; ++i) raio::start_at_origin(crossings[i], true);
     }
 };
+
+/// Puts two crossings in order. What cannot be told apart keeps its order.
+template <class W>
+RAIO_FN constexpr void sort_by_t(crossing_list<W, 2>& list) {
+    if (list.count < 2) return;
+    auto& [first, second] = list.crossings;
+    bound_t<W> apart(second.t - first.t), error = first.error + second.error;
+    list.certain = list.certain && abs(apart) > error;
+    if (apart < -error) {
+        std::swap(first, second);
+    } else if (apart < error) {
+        second.t = first.t;
+    }
+}
 
 /// A crossing that cannot be told from t = 0 is there, if the line starts on the surface.
 /// \param starts  does it? Asked only then

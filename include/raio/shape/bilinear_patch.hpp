@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include <raio/concepts.hpp>
 #include <raio/proof/crossing_list.hpp>
+#include <raio/proof/line.hpp>
 #include <raio/shape/triangle.hpp>
 
 namespace raio {
@@ -14,12 +16,17 @@ namespace raio {
 /// counter-clockwise.
 ///
 /// As seen from the ray's origin that line runs from a(u) = a + u A to a(u) + w(u), with w(u) = w + u D, where A = p10
-/// - p00, w = p01 - p00, D = p00 - p10 - p01 + p11. The ray and the line lie in one plane where the triple product
+/// - p00, w = p01 - p00, D = p11 - p10 - w. The ray and the line lie in one plane where
 ///
-///     f(u) = d.(a(u) x w(u)) = d.(a x w) + u (d.(A x w) + d.(a x D)) + u^2 d.(A x D)
+///     f(u) = w(u).(d x a(u)) = w.(d x a) + u (D.(d x a) + w.(d x A)) + u^2 D.(d x A)
 ///
-/// is zero (Reshetov, Ray Tracing Gems ch. 8, 2019), and the point a(u) + v w(u) is on the ray where v n = -m, with m =
-/// a(u) x d and n = w(u) x d: between both ends if m.(m + n) <= 0. f' = d.(du x dv) says from which side the ray comes.
+/// is zero (Reshetov, Ray Tracing Gems ch. 8, 2019). They cross at the point
+///
+///     t d = a(u) + v w(u):    m + v n = 0,    t = (a(u) + v w(u)).d / d.d,    m = d x a(u),    n = d x w(u)
+///
+/// which lies between both ends of the line, 0 <= v <= 1, if |2 m + n| <= |n|. (Any component of m and n says the
+/// same.) f' = d.(du x dv), with the derivatives du = A + v D and dv = w(u), says from which side the ray comes; u
+/// grows along the ray where (d x dv).(du x dv) > 0.
 ///
 /// A ray that runs along one of the straight lines, u or v constant, lies in the surface and misses it, as a ray in the
 /// plane of a flat shape does. Of a planar patch that is folded over itself, the side with the lesser u comes first.
@@ -45,7 +52,7 @@ struct bilinear_patch {
     template <class W, real R>
     RAIO_FORMULA constexpr crossing_list<W, 2> crossings(const ray<R>& ray) const {
         const std::size_t i = edge_without_length();
-        if (i == 4) return cross_moving_line<W>(ray);
+        if (i == 4) return cross_moving_line(line<W, R>{ray});
         const std::array<vec3<T>, 4> around = corners_in_order();
         return cross_triangle<W>(triangle<T>{around[i], around[(i + 2) % 4], around[(i + 3) % 4]}, i, ray);
     }
@@ -130,100 +137,62 @@ private:
     template <class W, real R>
     RAIO_FN static constexpr crossing_list<W, 2> cross_triangle(const triangle<T>& shape, std::size_t turns,
                                                                 const ray<R>& ray) {
-        crossing_list<W, 2> list;
         crossing<W> c = shape.template crossings<W>(ray);
-        list.certain = c.certain;
-        if (!c.exists) return list;
-        list.append(c.t, c.error, c.entering);
-        W away = c.u + c.v;
-        vec2<W> uv(quotient(c.u, away, W(0)), away);
-        for (std::size_t i = 0; i < turns; ++i) uv = {W(1) - uv.y, uv.x};
-        list.crossings[0].u = uv.x, list.crossings[0].v = uv.y;
+        const W away = c.u + c.v;
+        c.u = quotient(c.u, away, W(0)), c.v = away;
+        for (std::size_t i = 0; i < turns; ++i) std::tie(c.u, c.v) = std::pair(W(1) - c.v, c.u);
+        crossing_list<W, 2> list;
+        list.append_if_exists(c);
         return list;
     }
 
     template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, 2> cross_moving_line(const ray<R>& ray) const {
-        using E = bound_t<W>;
-        crossing_list<W, 2> list;
-        const auto [edge_u, edge_v, far] = edges<W>();
-        vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);
-        vec3<W> d(ray.direction), corner = difference_as<W>(p00, ray.origin);
+    RAIO_FN constexpr crossing_list<W, 2> cross_moving_line(const line<W, R>& line) const {
+        const auto a = line.to(p00), edge = line.between(p00, p10), w = line.between(p00, p01);
+        const auto twist = line.between(p10, p11) - w;
+        const auto d = line.direction();
+        const auto half = line.given(T(0.5));
+        const auto of_a = cross(d, a), of_edge = cross(d, edge);
+        const auto f = polynomial_of(dot(w, of_a), dot(twist, of_a) + dot(w, of_edge), dot(twist, of_edge));
+        if (has_one_sign(f)) return {};
 
-        // The vectors are off by two roundings at most, D by as many of its terms, and each sum of triple products by
-        // 9 more.
-        constexpr double roundoff = unit_roundoff<W>;
-        const auto triple = [&](const vec3<W>& x, const vec3<W>& y) { return dot(d, cross(x, y)); };
-        const auto bound = [&](const vec3<W>& x, const vec3<W>& y) {
-            return E(12 * roundoff) * triple_product_bound(d, x, y);
-        };
-        polynomial<W, 2> f{
-            {triple(corner, edge_v), triple(edge_u, edge_v) + triple(corner, twist), triple(edge_u, twist)},
-            {bound(corner, edge_v), bound(edge_u, edge_v) + bound(corner, reach), bound(edge_u, reach)}};
-        if (passes_by(f)) return list;
-        W d2 = dot(d, d);
-        const bool in_surface = abs(E(f.coefficient[0])) <= f.error[0] && abs(E(f.coefficient[1])) <= f.error[1] &&
-                                abs(E(f.coefficient[2])) <= f.error[2];
-        if (in_surface || !(d2 >= W(least_normal<W>))) {
-            list.certain = false;
-            return list;
-        }
-
-        E d_size = norm1(vec3<E>(d)), over_d2 = E(1) / E(d2), u_size = norm1(vec3<E>(edge_u)),
-          reach_size = norm1(vec3<E>(reach)), corner_size = norm1(vec3<E>(corner));
-        const auto roots = roots_between(f, W(-1), W(2));
-        list.certain = roots.certain;
-        bool may_start_here = false;  // on the patch, to a millionth of v
+        const auto roots = known_roots_between(f, W(-0.125), W(1.125));
+        const auto d2 = square(d);
+        crossing_list<W, 2> list(roots);
         for (const polynomial_root<W>& root : roots) {
-            // Of a line that all but lies in the surface nobody knows where u is: not to a millionth of the patch.
-            if (last_precision<W> && root.error > E(0x1p-20)) {
-                list.certain = false;
-                continue;
-            }
-            // From where the line starts and where it goes, and how far each may be off.
-            vec3<W> start = corner + edge_u * root.t, along = edge_v + twist * root.t;
-            E start_error = root.error * u_size + E(4 * roundoff) * (corner_size + E(2) * u_size);
-            E along_error = root.error * norm1(vec3<E>(twist)) + E(16 * roundoff) * reach_size;
-            vec3<W> m = cross(start, d), n = cross(along, d);
-            E m_error = d_size * (start_error + E(4 * roundoff) * norm1(vec3<E>(start)));
-            E n_error = d_size * (along_error + E(4 * roundoff) * norm1(vec3<E>(along)));
-            E m_size = norm1(vec3<E>(m)), n_size = norm1(vec3<E>(n));
-
-            W in_v = -dot(m, vec3<W>(m + n)), in_u = min(root.t, W(1) - root.t);
-            E in_v_error = m_error * (E(2) * m_size + n_size + m_error + n_error) + m_size * n_error +
-                           E(8 * roundoff) * m_size * (m_size + n_size);
-            if (in_u < -tie<W>(root.error) || in_v < -tie<W>(in_v_error)) {
-                list.certain = list.certain && (in_u < -root.error || in_v < -in_v_error);
-                continue;
-            }
-            list.certain = list.certain && in_u > root.error && in_v > in_v_error;
-            if (n_size <= n_error && norm1(vec3<E>(along)) > along_error) {  // the ray runs along the line
-                list.certain = false;
-                continue;
-            }
-            // (v - exact v) n is the error of m + v n.
-            W v = max(W(0), min(W(1), quotient(-dot(m, n), dot(n, n), W(0))));
-            E v_error =
-                min(E(1), quotient(m_error + n_error, sqrt(dot(vec3<E>(n), vec3<E>(n))), E(1))) + E(16 * roundoff);
-            W t = dot(d, vec3<W>(start + along * v)) / d2;
-            E error = v_error * abs(dot(vec3<E>(d), vec3<E>(along))) + d_size * (start_error + along_error) +
-                      E(8 * roundoff) * d_size * (corner_size + u_size + reach_size);
-            error = error * over_d2;
-            if (abs(E(t)) <= error) {
-                const E here(quotient(-dot(start, along), dot(along, along), W(0))), about(0x1p-20);
-                may_start_here = may_start_here || (here >= -about && here <= E(1) + about);
-            }
-            const std::size_t next = list.count;
-            const E at_u_error = v_error * norm1(vec3<E>(twist)) + E(16 * roundoff) * (u_size + reach_size);
-            list.append(t, error,
-                        root.before * root.after > 0
-                            ? along_ray(root, n, {vec3<W>(edge_u + twist * v), at_u_error}, {along, along_error})
-                            : root);
-            for (std::size_t i = next; i < list.count; ++i) list.crossings[i].u = root.t, list.crossings[i].v = v;
+            const auto u = root.place();
+            const auto from = a + edge * u, along = w + twist * u;
+            const auto m = cross(d, from), n = cross(d, along);
+            const auto size = norm1(n);
+            const auto is_between = every(abs(u - half) <= half, norm1(m + m + n) <= size);
+            if (may_leave<W>(!is_between.possibly)) continue;
+            // A ray that runs along the line lies in the surface, unless the line is a point.
+            auto crosses = is_positive(size);
+            if (!crosses.certainly) crosses = some(crosses, !is_positive(square(along)));
+            const auto v = held_between(-ratio(m, n), W(0), W(1));
+            const auto t = (dot(from, d) + v * dot(along, d)) * inverse(d2);
+            // Where f only touches zero, the line is crossed twice: in the order of u, or against it.
+            const bool backwards = root.is_touched() && is_positive(-dot(n, cross(edge + twist * v, along))).yes;
+            list.append(every(is_between, crosses, is_positive(d2)), t, backwards ? -root : root, u.value, v.value);
         }
         sort_by_t(list);
-        if (may_start_here && lies_on(corner, ray.origin)) list.start_at_origin();
+        start_on_surface(list, [&] { return holds_origin(line).yes; });
         return list;
+    }
+
+    /// Is the ray's origin on the patch? Its barycentric coordinates in the tetrahedron of the corners are then (1 - u)
+    /// (1 - v), u (1 - v), (1 - u) v and u v. They are zero if all are in one plane: then it is where the ray crosses
+    /// that.
+    template <class W, real R>
+    RAIO_FN constexpr verdict<bool> holds_origin(const line<W, R>& line) const {
+        const auto a = line.to(p00), b = line.to(p10), c = line.to(p01), e = line.to(p11);
+        const auto ce = cross(c, e), ab = cross(a, b);
+        const auto w00 = dot(b, ce), w10 = -dot(a, ce), w01 = dot(e, ab), w11 = -dot(c, ab);
+        const auto u = w10 + w11, v = w01 + w11, all = w00 + w10 + v;
+        const auto half = line.given(T(0.5));
+        const auto product = w00 * w11, other = w10 * w01;
+        const auto within = [&](const auto& x) { return abs(x - all * half) <= abs(all) * half; };
+        return every(product <= other, product >= other, within(u), within(v));
     }
 
     /// A, w and w + D. The magnitudes of the two that D is the difference of bound what its roundings are parts of.
@@ -237,55 +206,6 @@ private:
     }
 
     RAIO_FN constexpr aabb<T> corners() const { return hull(hull(hull(aabb<T>{p00, p00}, p10), p01), p11); }
-
-    /// Does f have one sign from 0 to 1? It does where the coefficients of its Bernstein form have one.
-    template <class W>
-    RAIO_FN static constexpr bool passes_by(const polynomial<W, 2>& f) {
-        using E = bound_t<W>;
-        const auto& c = f.coefficient;
-        E start(c[0]), middle(c[0] + c[1] * W(0.5)), end(c[0] + c[1] + c[2]);
-        E size = abs(E(c[0])) + abs(E(c[1])) + abs(E(c[2]));
-        E error = f.error[0] + f.error[1] + f.error[2] + E(4 * unit_roundoff<W>) * size;
-        return min(min(start, middle), end) > error || max(max(start, middle), end) < -error;
-    }
-
-    /// A root that is touched, with the signs of f in the order in which the ray comes by: d = (du's part) du + ...,
-    /// and that part has the sign of (d x w).(du x w). On the fold of a planar patch du x w is zero, and u's order
-    /// stays.
-    template <class W>
-    RAIO_FN static constexpr polynomial_root<W> along_ray(polynomial_root<W> root, const vec3<W>& n,
-                                                          const nearby_point<W>& du, const nearby_point<W>& w) {
-        using E = bound_t<W>;
-        vec3<W> turn = cross(du.place, w.place);
-        E error = norm1(vec3<E>(du.place)) * w.error + (norm1(vec3<E>(w.place)) + w.error) * du.error;
-        if (dot(n, turn) > W(error * norm1(vec3<E>(n)))) root.before = -root.before, root.after = -root.after;
-        return root;
-    }
-
-    template <class W>
-    RAIO_FN static constexpr void sort_by_t(crossing_list<W, 2>& list) {
-        if (list.count < 2) return;
-        auto& [first, second] = list.crossings;
-        bound_t<W> apart(second.t - first.t), error = first.error + second.error;
-        list.certain = list.certain && abs(apart) > error;
-        if (apart < -error) {
-            std::swap(first, second);
-        } else if (apart < error) {
-            second.t = first.t;
-        }
-    }
-
-    /// Is the ray's origin on the surface through the corners, the first of which is `a` as seen from there? Its
-    /// barycentric coordinates in the tetrahedron of the corners are then (1 - u) (1 - v), u (1 - v), (1 - u) v and u
-    /// v.
-    template <class W, real R>
-    RAIO_FN constexpr bool lies_on(const vec3<W>& a, const vec3<R>& origin) const {
-        vec3<W> b = difference_as<W>(p10, origin), c = difference_as<W>(p01, origin), e = difference_as<W>(p11, origin);
-        W w00 = dot(b, cross(c, e)), w10 = dot(a, cross(c, e)), w01 = dot(a, cross(b, e)), w11 = dot(a, cross(b, c)),
-          zero(0);
-        if (w00 - w10 + w01 == w11) return w00 == zero && w10 == zero && w01 == zero;  // then w11 is as well
-        return w00 * w11 == w10 * w01;
-    }
 };
 
 }  // namespace raio

@@ -18,19 +18,17 @@ struct revolved_piece<T, 3> {
 
     template <class W, real R>
     RAIO_FORMULA constexpr crossing_list<W, 12> crossings(const ray<R>& ray) const {
-        crossing_list<W, 12> list;
         const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x)), least = min(min(p0.x, p1.x), min(p2.x, p3.x));
         const T low = min(min(p0.y, p1.y), min(p2.y, p3.y)), high = max(max(p0.y, p1.y), max(p2.y, p3.y));
         const vec3<W> a(axis);
         const W unit = length(a), middle = (W(low) + W(high)) * W(0.5);
         const bool sound = least >= T(0) && is_finite(base) && is_finite(p0.x + p1.x + p2.x + p3.x) &&
                            is_finite(p0.y + p1.y + p2.y + p3.y);
-        if (!sound || !(unit > W(0)) || !is_finite(bound_t<W>(unit))) return list;
+        if (!sound || !(unit > W(0)) || !is_finite(bound_t<W>(unit))) return {};
         const W reach = W(widest) + (W(high) - W(low)) * (W(0.5) * unit);
         const auto part = part_near(ray, base, vec3<W>(base) + a * middle, reach);
-        list.certain = part.certain;
-        if (!part.exists) return list;
-        list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
+        if (!part.exists) return crossing_list<W, 12>(part.certain);
+        auto list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
         list.start_at_origin();
         keep_if_reachable<T>(ray, list);
         return list;
@@ -99,17 +97,18 @@ struct revolved_piece<T, 3> {
         vec3<W> outward = outward_normal(curve, s, p);
         record_gradient(ray, c, outward, size, rec);
         add_error(rec, T(0x1p-60) * size);  // from where on a crossing is certain, of a radius of 2^-20 of the size
-        const frame<Q> f = frame_about(vec3<Q>(curve.axis));
-        vec3<Q> beside(p - curve.axis * dot(p, curve.axis));
+        const vec3<W> e = curve.axis();
+        const frame<Q> f = frame_about(vec3<Q>(e));
+        vec3<Q> beside(p - e * dot(p, e));
         rec.uv = {turns(T(dot(beside, f.y)), T(dot(beside, f.x))), max(T(0), min(T(1), T(s)))};
     }
 
 private:
     template <class W>
     RAIO_FN constexpr curve_beside_axis<W> beside_axis() const {
-        vec3<W> a(axis);
-        W unit = length(a);
-        return {radii<W>(), product<3>(heights<W>(), constant(unit, 4)), a * (W(1) / unit)};
+        const given_vector<W> a{W(axis.x), W(axis.y), W(axis.z)};
+        const auto unit = sqrt(square(a));
+        return {radii<W>(), heights<W>() * unit, a * inverse(unit)};
     }
 
     template <class W>
