@@ -40,7 +40,7 @@ inline constexpr double lost = std::numeric_limits<scalar_t<W>>::max_exponent > 
 template <class W>
 inline constexpr double least_divisor = std::numeric_limits<scalar_t<W>>::max_exponent > 1024 ? 0
                                         : std::same_as<scalar_t<W>, float>                    ? 0x1p-50
-                                                                                              : 0x1p-900;
+                                                                                              : 0x1p-960;
 
 /// So many roundings of numbers of this size.
 template <class W>
@@ -174,11 +174,13 @@ RAIO_FN constexpr auto operator/(const A& a, const B& b) {
     using E = bound_t<W>;
     const bounded_number<W> above = a, below = b;
     W over = quotient(W(1), below.value, W(infinity<W>)), ratio = above.value * over;
-    // a / b - a' / b' = (a - a' - (a / b) (b - b')) / b', and |b'| is at least half of |b|.
-    E size = abs(E(ratio));
-    E error = E(2) * (above.error + size * below.error) * abs(E(over)) + detail::roundings<W>(3, size);
-    const mask_t<E> is_apart = size_of(below) > E(2) * below.error + E(detail::least_divisor<W>);
-    return bounded_number<W>{ratio, select(is_apart, error, E(infinity<E>))};
+    // a / b - a' / b' = (a - a' - (a / b) (b - b')) / b', and |b'| is at least |b| less its error.
+    E size = abs(E(ratio)), off = above.error + size * below.error, least = size_of(below) - below.error;
+    const mask_t<E> is_apart = least > E(detail::least_divisor<W>);
+    E error = last_precision<W> ? quotient(off, least, E(0)) : E(2) * off * abs(E(over));
+    // ... which is at least half of |b|, or all is asked again
+    const mask_t<E> is_half = last_precision<W> ? is_apart : every(is_apart, size_of(below) > E(2) * below.error);
+    return bounded_number<W>{ratio, select(is_half, error + detail::roundings<W>(3, size), E(infinity<E>))};
 }
 
 /// The root, and 0 of what is negative: of what should be zero it may be an error.
