@@ -13,7 +13,7 @@
 
 namespace raio {
 
-/// A vector whose error is at most K roundings of its size. One that is given has none, K = 0.
+/// A vector each of whose components has a relative error of at most K roundings. One that is given has none, K = 0.
 template <class W, int K>
 struct rounded_vector {
     using number = W;
@@ -78,7 +78,7 @@ RAIO_FN constexpr bound_t<W> error_of_product(int count, const rounded_vector<W,
 }
 template <class W, int K>
 RAIO_FN constexpr bound_t<W> error_of_product(int count, const bounded_vector<W>& a, const rounded_vector<W, K>& b) {
-    return (a.error + roundings<W>(K + count, size_of(a))) * size_of(b);
+    return with_lost<W>((a.error + relative<W>(K + count) * size_of(a)) * size_of(b));
 }
 template <class W, int K>
 RAIO_FN constexpr bound_t<W> error_of_product(int count, const rounded_vector<W, K>& a, const bounded_vector<W>& b) {
@@ -86,7 +86,7 @@ RAIO_FN constexpr bound_t<W> error_of_product(int count, const rounded_vector<W,
 }
 template <class W>
 RAIO_FN constexpr bound_t<W> error_of_product(int count, const bounded_vector<W>& a, const bounded_vector<W>& b) {
-    return a.error * (size_of(b) + b.error) + size_of(a) * (b.error + roundings<W>(count, size_of(b)));
+    return with_lost<W>(a.error * (size_of(b) + b.error) + size_of(a) * (b.error + relative<W>(count) * size_of(b)));
 }
 
 }  // namespace detail
@@ -106,7 +106,7 @@ RAIO_FN constexpr auto cross(const A& a, const B& b) {
 
 /// v.v
 template <class W, int K>
-RAIO_FN constexpr rounded_number<W, 2 * K + 4> square(const rounded_vector<W, K>& v) {
+RAIO_FN constexpr rounded_number<W, 2 * K + 3> square(const rounded_vector<W, K>& v) {
     return {detail::sum_of_products(v.x, v.x, v.y, v.y, v.z, v.z)};
 }
 template <class W>
@@ -127,7 +127,7 @@ RAIO_FN constexpr auto operator+(const A& a, const B& b) {
         }
     };
     bounded_vector<W> sum{a.x + b.x, a.y + b.y, a.z + b.z, error_of(a) + error_of(b)};
-    sum.error = sum.error + detail::roundings<W>(1, size_of(sum));
+    sum.error = sum.error + detail::error_of_sum<W>(size_of(sum), size_of(a), size_of(b));
     return sum;
 }
 template <proven_vector A, proven_vector B>
