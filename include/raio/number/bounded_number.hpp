@@ -69,6 +69,18 @@ struct bounded_number {
 
 namespace detail {
 
+/// What a sum is off by. Numbers of two parts add up their low parts by themselves: with u = 2^-53 the three sums of
+/// them round away 2 u^2 of the sizes of both numbers, u^2 of that of the sum, whatever cancels.
+template <class W>
+RAIO_FN constexpr bound_t<W> error_of_sum(const bound_t<W>& sum, [[maybe_unused]] const bound_t<W>& a,
+                                          [[maybe_unused]] const bound_t<W>& b) {
+    if constexpr (last_precision<W>) {
+        return roundings<W>(1, sum) + bound_t<W>(0x1p-105) * (a + b);
+    } else {
+        return roundings<W>(1, sum);
+    }
+}
+
 /// A bound of errors, rounded up: itself the result of no more than a hundred roundings.
 template <class W>
 RAIO_FN constexpr bound_t<W> rounded_up(const bound_t<W>& error) {
@@ -108,7 +120,7 @@ RAIO_FN constexpr given_number<typename A::number> as_given(const A& a) {
 template <class W>
 RAIO_FN constexpr bounded_number<W> operator+(const bounded_number<W>& a, const bounded_number<W>& b) {
     W sum = a.value + b.value;
-    return {sum, a.error + b.error + detail::roundings<W>(1, abs(bound_t<W>(sum)))};
+    return {sum, a.error + b.error + detail::error_of_sum<W>(abs(bound_t<W>(sum)), size_of(a), size_of(b))};
 }
 template <class W>
 RAIO_FN constexpr bounded_number<W> operator*(const bounded_number<W>& a, const bounded_number<W>& b) {
@@ -163,7 +175,8 @@ RAIO_FN constexpr bounded_number<W> inverse(const bounded_number<W>& a) {
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, K + 1> inverse(const rounded_number<W, K>& a) {
     using E = bound_t<W>;
-    const mask_t<W> is_apart = size_of(a) > E(detail::least_divisor<W>);
+    mask_t<W> is_apart = size_of(a) > E(detail::least_divisor<W>);
+    if constexpr (K > 0) is_apart = every(is_apart, is_finite(a.value));  // nor is it known if it was out of range
     return {select(is_apart, W(1), W(std::numeric_limits<scalar_t<W>>::quiet_NaN())) / select(is_apart, a.value, W(1))};
 }
 
@@ -189,13 +202,19 @@ RAIO_FN constexpr bounded_number<W> sqrt(const bounded_number<W>& a) {
     using E = bound_t<W>;
     W root = sqrt(max(a.value, W(0)));
     // |s - s'| = |a - a'| / (s + s'), and no more than |a - a'|^(1/2).
-    E size(root), error = quotient(a.error, size, E(infinity<E>));
-    if constexpr (last_precision<W>) error = min(error, sqrt(a.error));
+    E size(root), off = a.error + E(detail::lost<W>), error = quotient(off, size, E(infinity<E>));
+    if constexpr (last_precision<W>) error = min(error, sqrt(off));
     return {root, error + detail::roundings<W>(1, size)};
 }
+/// Half of the roundings, and one; a root of numbers that may have lost digits would not be near it.
 template <class W, int K>
-RAIO_FN constexpr rounded_number<W, K / 2 + 2> sqrt(const rounded_number<W, K>& a) {
-    return {sqrt(a.value)};
+RAIO_FN constexpr rounded_number<W, (K + 3) / 2> sqrt(const rounded_number<W, K>& a) {
+    if constexpr (K == 0) {
+        return {sqrt(a.value)};
+    } else {
+        const mask_t<W> has_digits = a.value > W(detail::lost<W>);
+        return {select(has_digits, sqrt(a.value), W(std::numeric_limits<scalar_t<W>>::quiet_NaN()))};
+    }
 }
 
 template <proven_number A>
@@ -207,27 +226,39 @@ RAIO_FN constexpr A abs(const A& a) {
 
 // Comparisons. Ties hold where it says >= and <=: edges, rims and tangents belong to their shape since its formula says
 // so. A tie of the last precision is what that cannot tell apart; of numbers that are hardly known at all it is no more
-// than a 2^30th of them.
-template <proven_number A, proven_number B>
-RAIO_FN constexpr auto operator>=(const A& a, const B& b) {
+// than a 2^30th of them. What is not a number is in doubt, and the last precision says no.
+
+namespace detail {
+
+/// a >= b, or a > b, for which ties do not hold.
+template <bool TiesHold, proven_number A, proven_number B>
+RAIO_FN constexpr auto is_above(const A& a, const B& b) {
     using W = typename A::number;
     using E = bound_t<W>;
     const bounded_number<W> difference = a - b;
-    E off = detail::limit_of(difference), room(0);
+    E off = limit_of(difference), room(0);
     if constexpr (last_precision<W>) room = min(off, E(0x1p-30) * (size_of(a) + size_of(b)));
-    return verdict<mask_t<W>>{difference.value > W(off), !(difference.value < -W(off)), difference.value >= -W(room)};
+    const mask_t<W> yes = TiesHold ? difference.value >= -W(room) : difference.value > W(room);
+    return verdict<mask_t<W>>{difference.value > W(off), !(difference.value < -W(off)), yes};
+}
+
+}  // namespace detail
+
+template <proven_number A, proven_number B>
+RAIO_FN constexpr auto operator>=(const A& a, const B& b) {
+    return detail::is_above<true>(a, b);
 }
 template <proven_number A, proven_number B>
 RAIO_FN constexpr auto operator<=(const A& a, const B& b) {
-    return b >= a;
-}
-template <proven_number A, proven_number B>
-RAIO_FN constexpr auto operator<(const A& a, const B& b) {
-    return !(a >= b);
+    return detail::is_above<true>(b, a);
 }
 template <proven_number A, proven_number B>
 RAIO_FN constexpr auto operator>(const A& a, const B& b) {
-    return !(b >= a);
+    return detail::is_above<false>(a, b);
+}
+template <proven_number A, proven_number B>
+RAIO_FN constexpr auto operator<(const A& a, const B& b) {
+    return detail::is_above<false>(b, a);
 }
 
 /// Can they not be told apart?
@@ -250,13 +281,13 @@ RAIO_FN constexpr verdict<mask_t<W>> is_positive(const bounded_number<W>& a) {
     using E = bound_t<W>;
     constexpr double most = last_precision<W> ? 0x1p32 : 1 + 0x1p-16;
     E off = E(most) * a.error + E(detail::lost<W>);
-    return {a.value > W(off), !(a.value <= -W(off)), a.value > W(last_precision<W> ? off : E(0))};
+    return {a.value > W(off), !(a.value < -W(off)), a.value > W(last_precision<W> ? off : E(0))};
 }
 template <class W, int K>
 RAIO_FN constexpr verdict<mask_t<W>> is_positive(const rounded_number<W, K>& a) {
     const W off(K == 0 ? 0.0 : detail::lost<W>);
     const mask_t<W> above = a.value > off;
-    return {above, K == 0 ? above : !(a.value <= -off), above};
+    return {above, !(a.value <= -off), above};
 }
 
 /// Is it not below zero? What cannot be told from zero is a tie, and holds.
@@ -312,14 +343,24 @@ RAIO_FN constexpr bounded_number<W> flip(const bounded_number<W>& a, const bound
     return {flip(a.value, sign.value), select(is_known, a.error, a.error + E(2) * size_of(a))};
 }
 
+namespace detail {
+
+/// The larger of two bounds, and a NaN where one is not known.
+template <class E>
+RAIO_FN constexpr E larger_bound(const E& a, const E& b) {
+    return max(a, b) + (b - b);
+}
+
+}  // namespace detail
+
+/// One of two. Where it is in doubt which, the other one is covered as well.
 template <class W>
 RAIO_FN constexpr bounded_number<W> select(const verdict<mask_t<W>>& where, const bounded_number<W>& a,
                                            const bounded_number<W>& b) {
     using E = bound_t<W>;
     W value = select(where.yes, a.value, b.value);
     E chosen = select(where.yes, a.error, b.error), other = select(where.yes, b.error, a.error);
-    // Where that is in doubt, the other one is covered as well.
-    E both = max(chosen, other + abs(E(a.value - b.value)));
+    E both = detail::larger_bound(chosen, other + abs(E(a.value - b.value)));
     return {value, select(mask_t<E>(every(where.possibly, !where.certainly)), both, chosen)};
 }
 
@@ -356,8 +397,11 @@ RAIO_FN constexpr mask_t<W> answer_of(const verdict<mask_t<W>>& exists, const bo
 template <class W>
 RAIO_FN constexpr bounded_number<W> max(const bounded_number<W>& a, const bounded_number<W>& b) {
     using E = bound_t<W>;
-    W value = max(a.value, b.value);
-    return {value, max(E(0), max(a.error - E(value - a.value), b.error - E(value - b.value)))};
+    const mask_t<W> second = a.value < b.value;
+    E chosen = select(mask_t<E>(second), b.error, a.error), other = select(mask_t<E>(second), a.error, b.error);
+    // No more of the distance is taken off than there is.
+    E beyond = other - E(1 - 0x1p-16) * abs(E(a.value - b.value));
+    return {select(second, b.value, a.value), detail::larger_bound(chosen, beyond)};
 }
 template <class W>
 RAIO_FN constexpr bounded_number<W> min(const bounded_number<W>& a, const bounded_number<W>& b) {
@@ -370,6 +414,21 @@ RAIO_FN constexpr bounded_number<W> held_between(const bounded_number<W>& a, con
     using E = bound_t<W>;
     // What is not a number becomes `high`.
     return {max(low, min(high, a.value)), min(E(high - low), a.error)};
+}
+
+template <class Mask, proven_number A, proven_number B>
+RAIO_FN constexpr auto select(const verdict<Mask>& where, const A& a, const B& b) {
+    using bounded = bounded_number<typename A::number>;
+    return select(where, bounded(a), bounded(b));
+}
+template <proven_number A, proven_number B>
+RAIO_FN constexpr auto max(const A& a, const B& b) {
+    using bounded = bounded_number<typename A::number>;
+    return max(bounded(a), bounded(b));
+}
+template <proven_number A, proven_number B>
+RAIO_FN constexpr auto min(const A& a, const B& b) {
+    return -max(-a, -b);
 }
 
 }  // namespace raio

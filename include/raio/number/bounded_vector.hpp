@@ -168,7 +168,7 @@ RAIO_FN constexpr bounded_vector<W> shear(const rounded_vector<W, K>& v, const r
 
 /// v.v
 template <class W, int K>
-RAIO_FN constexpr rounded_number<W, 2 * K + 4> square(const rounded_vector<W, K>& v) {
+RAIO_FN constexpr rounded_number<W, 2 * K + 3> square(const rounded_vector<W, K>& v) {
     return {detail::sum_of_products(v.x, v.x, v.y, v.y, v.z, v.z)};
 }
 template <class W>
@@ -203,7 +203,7 @@ RAIO_FN constexpr auto operator+(const A& a, const B& b) {
         }
     };
     bounded_vector<W> sum{a.x + b.x, a.y + b.y, a.z + b.z, error_of(a) + error_of(b)};
-    sum.error = sum.error + detail::roundings<W>(1, size_of(sum));
+    sum.error = sum.error + detail::error_of_sum<W>(size_of(sum), size_of(a), size_of(b));
     return sum;
 }
 template <proven_vector A, proven_vector B>
