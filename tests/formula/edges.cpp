@@ -7,11 +7,10 @@
 namespace raio::test {
 
 using W = strict_double;
-using X = double_double;
 
-TEST_CASE("edge_crossing: the bounds of t, u, v and of what is missing, from above as well") {
+TEST_CASE("edge_crossing: the bounds of t, u and v, from above as well") {
     random_numbers random(1);
-    part_of_bound of_size, of_u, of_v, of_t, of_missing, of_missing_ahead;
+    part_of_bound of_size, of_u, of_v, of_t;
     for (int i = 0; i < at_least(20'000); ++i) {
         const vec3<double> a = some_vector(random), b = a + some_vector(random), c = a + some_vector(random);
         const vec3<double> normal = cross(b - a, c - a);
@@ -29,17 +28,9 @@ TEST_CASE("edge_crossing: the bounds of t, u, v and of what is missing, from abo
         of_v.add(test::exactly(met.v) - v, met.v_error);
         if (!met.at.certain) continue;
         of_t.add(test::exactly(met.at.t) - dot(s, n) / det, met.at.error);
-
-        const vec3<X> step = vec3<X>(ray.direction) * X(met.at.t);
-        const nearby_ray<X, W> nearby{vec3<X>(ray.origin), step, vec3<W>(ray.direction)};
-        const auto missing = correct_edges(a, vec3<X>(b) - vec3<X>(a), vec3<X>(c) - vec3<X>(a), nearby, met.at);
-        const oracle error = test::exactly(missing.t) - dot(s + exactly(step), n) / det;
-        of_missing.add(error, missing.error);
-        // Ahead the rounding of both points, which is added, is most of the bound.
-        if (abs(det) > length(d) * length(n) / 4) of_missing_ahead.add(error, missing.error);
     }
     CHECK((of_size.largest > 0.1 && of_u.largest > 0.1 && of_v.largest > 0.1));
-    CHECK((of_t.largest > 0.03 && of_missing.largest > 0.02 && of_missing_ahead.largest > 0.003));
+    CHECK(of_t.largest > 0.03);
 }
 
 TEST_CASE("edge_crossing: what is out of range on the way is not taken for a miss (bundles were certain of one)") {

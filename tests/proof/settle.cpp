@@ -81,25 +81,12 @@ struct told_of_one : told<T> {
 template <class T>
 struct told_how_closely : told<T> {
     template <class N, real R>
+    crossing<N> crossings(const ray<R>&) const {
+        return at<N>(8);
+    }
+    template <class N, real R>
     crossing<N> crossings(const ray<R>&, const first_from<T>& wanted) const {
         return at<N>(wanted.roughly ? 2 : 4);
-    }
-};
-
-/// A shape that says just these, with half a unit missing of each quick crossing.
-struct told_what_is_missing : told<double> {
-    crossing<W> missing = at<W>(0.5), missing_of_far = missing;
-
-    crossing<W> correction(const nearby_ray<X, W>&, const crossing<W>& c) const {
-        return c.t < W(4) ? missing : missing_of_far;
-    }
-
-    double hit(double t_min = 0, double t_max = infinity<double>) const {
-        hit_record<double> rec;
-        return first_hit(*this, any_double, t_min, t_max, rec) ? rec.t : -1;
-    }
-    bool occluded(double t_min = 0, double t_max = infinity<double>) const {
-        return any_hit(*this, any_double, t_min, t_max);
     }
 };
 
@@ -113,8 +100,8 @@ static_assert(std::same_as<detail::quick_t<double, double>, strict_double>);
 static_assert(std::same_as<detail::quick_t<double, double_double>, rounded_double>);
 static_assert(4 * unit_roundoff<strict_double> == unit_roundoff<rounded_double>);
 
-TEST_CASE_TEMPLATE("settle: what is certain to the last bit is the answer, and all else is asked again", T, float,
-                   double) {
+TEST_CASE("settle: what is certain to the last bit of a float is the answer, and all else is asked again") {
+    using T = float;
     constexpr T eps = std::numeric_limits<T>::epsilon();
     CHECK(told<T>{}.hit() == 2);
     CHECK(told<T>{}.hit(2, 2) == 2);
@@ -137,7 +124,59 @@ TEST_CASE_TEMPLATE("settle: what is certain to the last bit is the answer, and a
     CHECK(told<T>{.quick = {at<W>(INFINITY), at<W>(INFINITY)}}.hit() == 3);
 }
 
-TEST_CASE_TEMPLATE("settle: where there is one beyond doubt, only its last bit is asked for", T, float, double) {
+namespace {
+
+/// Whatever is asked, the same t is found, of these two: by `hit` from anywhere on, by `occluded` in no window without
+/// it, and by `inside_of`.
+template <class Shape>
+void check_recorded(const Shape& shape, double first, double second) {
+    constexpr double ever = infinity<double>;
+    const auto after = [](double t) { return std::nextafter(t, ever); };
+    const auto before = [](double t) { return std::nextafter(t, -ever); };
+    CHECK(shape.hit(-ever) == first);
+    CHECK(shape.hit(first, first) == first);
+    CHECK(shape.hit(after(first)) == second);
+    CHECK(shape.hit(second, second) == second);
+    CHECK(shape.hit(after(second)) == -1);
+    CHECK(shape.hit(after(first), before(second)) == -1);
+    CHECK(shape.hit(-ever, before(first)) == -1);
+    CHECK((shape.occluded(first, first) && shape.occluded(second, second)));
+    CHECK((!shape.occluded(-ever, before(first)) && !shape.occluded(after(first), before(second)) &&
+           !shape.occluded(after(second))));
+    CHECK(inside_of(shape, any_double) == interval<double>{first, second});
+}
+
+}  // namespace
+
+TEST_CASE("settle: of a double the quick crossings count up to the first that is not known, and then the exact ones") {
+    using T = double;
+    const auto shared = [](crossing<W> c) {
+        c.shared = true;
+        return c;
+    };
+    check_recorded(told<T>{}, 2, 6);
+    check_recorded(told<T>{{at<W>(2, 0.25), at<W>(6, 1)}}, 2, 6);  // however far they may be off
+    check_recorded(told<T>{{at<W>(-6, 1), at<W>(-2, 1)}}, -6, -2);
+    check_recorded(told<T>{{at<W>(0), at<W>(6)}}, 0, 6);
+    for (const auto& open :
+         {unsure(at<W>(2)), shared(at<W>(2)), at<W>(0.25, 0.5), at<W>(-0.25, 0.5), at<W>(0, 0x1p-1000), at<W>(2, NAN),
+          at<W>(2, INFINITY), at<W>(INFINITY), at<W>(NAN), none<W>(false)}) {
+        check_recorded(told<T>{{open, at<W>(6)}}, 3, 7);
+        check_recorded(told<T>{{at<W>(2), open}}, 2, 7);
+    }
+    CHECK(told<T>{{none<W>(), at<W>(6)}}.hit() == 6);
+    CHECK(told<T>{{none<W>(), none<W>()}}.hit() == -1);
+    CHECK(told<T>{{none<W>(), unsure(at<W>(6))}}.hit() == 7);
+    CHECK(inside_of(told<T>{{none<W>(), none<W>()}}, any_double).empty());
+    CHECK(inside_of(told<T>{{none<W>(false), none<W>()}, {none<X>(), none<X>()}}, any_double).empty());
+    // What is certain all the same is there, if the exact one has overflowed.
+    const chord<X> overflowed{none<X>(), none<X>()};
+    check_recorded(told<T>{{shared(at<W>(2)), at<W>(6)}, overflowed}, 2, 6);
+    check_recorded(told<T>{{at<W>(2), shared(at<W>(6))}, overflowed}, 2, 6);
+    CHECK(told<T>{{unsure(at<W>(2)), at<W>(6)}, overflowed}.hit() == -1);
+}
+
+TEST_CASE_TEMPLATE("settle: where there is one beyond doubt, only its t is asked for", T, float, double) {
     const auto where = [](const crossing<W>& near) {
         hit_record<T> rec;
         const told_of_one<T> shape{{.quick = {near, at<W>(6)}}};
@@ -146,17 +185,23 @@ TEST_CASE_TEMPLATE("settle: where there is one beyond doubt, only its last bit i
     CHECK(where(at<W>(2)) == 2);
     CHECK(where(unsure(at<W>(2))) == 2);
     CHECK(where(none<W>(false)) == 1);
-    CHECK(where(at<W>(2, 0.25)) == 3);
+    CHECK(where(at<W>(2, 0.25)) == (std::same_as<T, float> ? 3 : 2));
+    CHECK(where(at<W>(0.25, 0.5)) == 3);
     CHECK(where(at<W>(INFINITY)) == 3);
 }
 
-TEST_CASE_TEMPLATE("settle: a shape that has to search is told whether t is asked for", T, float, double) {
-    hit_record<T> rec;
-    CHECK((first_hit(told_how_closely<T>{}, any<T>(), T(0), infinity<T>, rec) && rec.t == 4));
-    CHECK(any_hit(told_how_closely<T>{}, any<T>(), T(1), T(3)));
+TEST_CASE("settle: a shape that has to search is told whether t of a float is asked for, and never of a double") {
+    hit_record<float> rec;
+    CHECK((first_hit(told_how_closely<float>{}, any_float, 0.0f, infinity<float>, rec) && rec.t == 4));
+    CHECK(any_hit(told_how_closely<float>{}, any_float, 1.0f, 3.0f));
+    hit_record<double> rec_of_double;
+    CHECK((first_hit(told_how_closely<double>{}, any_double, 0.0, infinity<double>, rec_of_double) &&
+           rec_of_double.t == 8));
+    CHECK(any_hit(told_how_closely<double>{}, any_double, 8.0, 8.0));
 }
 
-TEST_CASE_TEMPLATE("settle: whether there is one is known where the last bit is not", T, float, double) {
+TEST_CASE("settle: whether there is one is known where the last bit of a float is not") {
+    using T = float;
     const chord<X> nothing{none<X>(), none<X>()};
     CHECK(told<T>{.quick = {at<W>(2, 0.25), at<W>(6)}, .exact = nothing}.occluded());
     CHECK(told<T>{.quick = {at<W>(2, 0.25), at<W>(6)}, .exact = nothing}.occluded(1.75, 2.25));
@@ -168,7 +213,8 @@ TEST_CASE_TEMPLATE("settle: whether there is one is known where the last bit is 
     CHECK(told<T>{.quick = {at<W>(2, 0.25), none<W>()}}.occluded(2.25));
 }
 
-TEST_CASE_TEMPLATE("settle: a line is inside from crossing to crossing, both to the last bit", T, float, double) {
+TEST_CASE("settle: a line is inside from crossing to crossing, both to the last bit of a float") {
+    using T = float;
     const auto inside = [](const chord<W>& quick, const chord<X>& exact = {at<X>(3), at<X>(7)}) {
         return inside_of(told<T>{quick, exact}, any<T>());
     };
@@ -185,42 +231,6 @@ TEST_CASE_TEMPLATE("settle: a line is inside from crossing to crossing, both to 
     CHECK(inside({none<W>(false), none<W>()}) == exact);
     CHECK(inside({none<W>(), none<W>(false)}) == exact);
     CHECK(inside({none<W>(false), none<W>()}, {none<X>(), none<X>()}).empty());
-}
-
-TEST_CASE("settle: what is missing of a certain crossing is added, and decides about the window") {
-    using shape = told_what_is_missing;
-    const auto with = [](const chord<W>& quick, const crossing<W>& missing = at<W>(0.5)) {
-        return shape{{quick, {at<X>(3), at<X>(7)}}, missing};
-    };
-    CHECK(with({at<W>(2), at<W>(6)}).hit() == 2.5);
-    CHECK(with({at<W>(2), at<W>(6)}).hit(2.25) == 6.5);  // the shape has said that there is none at 2.5
-    CHECK(with({at<W>(2, 1), at<W>(6)}).hit(2.5, 2.5) == 2.5);
-    CHECK(with({at<W>(2, 1), at<W>(6)}).hit(2.75) == 3);
-    CHECK(with({at<W>(2, 1), at<W>(6)}).hit(0, 2.25) == -1);
-    CHECK(with({unsure(at<W>(2)), at<W>(6)}).hit() == 3);
-    CHECK(with({none<W>(false), at<W>(6)}).hit() == 3);
-    CHECK(with({none<W>(), at<W>(6)}).hit() == 6.5);
-    CHECK(with({none<W>(), none<W>()}).hit() == -1);
-    CHECK(with({at<W>(INFINITY), at<W>(INFINITY)}).hit() == 3);
-    CHECK(with({at<W>(2), at<W>(6)}, unsure(at<W>(0.5))).hit() == 3);
-    CHECK(with({at<W>(2), at<W>(6)}, at<W>(0.5, 1e-3)).hit() == 3);
-    // Whether there is one is not worth the correction.
-    CHECK(!shape{{{at<W>(2, 0.25), none<W>()}, {none<X>(), none<X>()}}}.occluded(2.375, 2.625));
-    CHECK(shape{{{at<W>(2, 0.25), none<W>()}, {none<X>(), none<X>()}}}.occluded(1.75, 2.25));
-
-    const interval<double> fine{2.5, 6.5}, exact{3, 7};
-    const auto inside = [](const shape& s) { return inside_of(s, any_double); };
-    CHECK(inside(with({at<W>(2), at<W>(6)})) == fine);
-    CHECK(inside(with({unsure(at<W>(2)), at<W>(6)})) == exact);
-    CHECK(inside(with({at<W>(2), unsure(at<W>(6))})) == exact);
-    CHECK(inside(with({none<W>(), none<W>()})).empty());
-    CHECK(inside(with({at<W>(2), at<W>(6)}, unsure(at<W>(0.5)))) == exact);
-    CHECK(inside(with({at<W>(2), at<W>(6)}, at<W>(0.5, 1e-3))) == exact);
-    for (const bool near : {false, true}) {
-        shape half = with({at<W>(2), at<W>(6)});
-        (near ? half.missing : half.missing_of_far).certain = false;
-        CHECK(inside(half) == exact);
-    }
 }
 
 /// Along each axis the error holds, and is little more than that of t and the rounding of the point.

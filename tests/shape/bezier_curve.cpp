@@ -223,8 +223,8 @@ TEST_CASE("bezier_curve: where a thorn is met from far away (the point lay beyon
 
 TEST_CASE("bezier_curve: the turn just before an end, seen from far away (the normal was that of the end)") {
     const auto wrong = [](const bezier_curve<float>& curve, const ray<float>& ray) {
-        double worst_ulp = 0;
-        return inexactness(probe<bezier_curve<float>>{curve, ray, 0, infinity<float>}, worst_ulp);
+        worst_errors worst;
+        return inexactness(probe<bezier_curve<float>>{curve, ray, 0, infinity<float>}, worst);
     };
     CHECK(wrong({{0x1.315632p+5f, -0x1.083b4ep+5f, 0x1.979fc6p+5f},
                  {-0x1.3f2162p+5f, 0x1.02175ap+5f, -0x1.4800dap+4f},
@@ -248,7 +248,7 @@ TEST_CASE("bezier_curve: the turn just before an end, seen from far away (the no
 }
 
 TEST_CASE("bezier_curve: beside a tip, in double (the normal was off by twenty thousand roundings)") {
-    double worst = 0;
+    worst_errors worst;
     CHECK(inexactness<bezier_curve<double>>({{{0x1.dc8c52f737a55p+6, 0x1.7255a1581934fp+3, -0x1.604e77ac7fe1ap+8},
                                               {0x1.3d793824ddbeap+10, 0x1.6690d72911208p+10, 0x1.91185b91ce08bp+9},
                                               {0x1.6833644e92963p-1, -0x1.0d23e65eddc5cp+2, -0x1.2ec9fb0b4f324p+0},
@@ -289,8 +289,12 @@ TEST_CASE_TEMPLATE("bezier_curve: one that is straight is a round cone", T, RAIO
         const round_cone<T> straight{curve.p0, curve.p3, curve.r0, curve.r3};
         hit_record<T> rec, expected;
         REQUIRE(curve.hit(r, T(0), infinity<T>, rec) == straight.hit(r, T(0), infinity<T>, expected));
-        REQUIRE(rec.t == expected.t);
-        REQUIRE(length(vec3<T>(rec.normal - expected.normal)) < 2 * std::numeric_limits<T>::epsilon());
+        // Of a double, the last bits are what either formula finds.
+        const T vague = norm1(rec.error) + norm1(expected.error);
+        if (std::same_as<T, float>) REQUIRE(rec.t == expected.t);
+        REQUIRE(std::abs(rec.t - expected.t) * length(r.direction) <= vague);
+        const T turned = std::same_as<T, float> ? 0 : vague / min(radius, radius + 3 * widening);
+        REQUIRE(length(vec3<T>(rec.normal - expected.normal)) < turned + 2 * std::numeric_limits<T>::epsilon());
         return rec.t > 0;
     };
     // Whose normals were 180 and 50 epsilons off in float: of u that many digits are missing where t is certain.

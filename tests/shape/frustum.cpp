@@ -104,8 +104,8 @@ TEST_CASE_TEMPLATE(
         hit_record<number_t<Shape>> rec;
         if (!p.hit(rec)) continue;
         ++hits;
-        double worst_ulp = 0;
-        std::string wrong = undecided(p) ? "" : inexactness(p, worst_ulp);
+        worst_errors worst;
+        std::string wrong = undecided(p) ? "" : inexactness(p, worst);
         const vec3<double> d = to_double(p.ray.direction);  // of a tangent the normal's roundings decide
         if (dot(to_double(rec.normal), d) > 1e-6 * length(d)) wrong += "seen from behind, " + literal(rec);
         if (!wrong.empty() && ++complaints <= 3) FAIL_CHECK(wrong << "\n    {" << literal(p) << "}");

@@ -47,10 +47,6 @@ struct lone_segment {
             return piece().template crossings<W>(ray);
         }
     }
-    template <class X, class W>
-    crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return piece().correction(ray, c);
-    }
     template <class W, real R>
     void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T>& rec) const {
         piece().surface(ray, c, rec);
@@ -268,7 +264,9 @@ TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, RAIO_NUMBERS
         if (!hit) continue;
         ++hits;
         if (std::same_as<T, float>) REQUIRE(rec.t == rounded<T>(*first));
-        REQUIRE(abs(oracle(rec.t) - *first) <= abs(*first) * 4 * std::numeric_limits<T>::epsilon());
+        oracle off = abs(*first) * 4 * std::numeric_limits<T>::epsilon();
+        if (std::same_as<T, double>) off += oracle(norm1(rec.error)) / length(vec3<oracle>(r.direction));
+        REQUIRE(abs(oracle(rec.t) - *first) <= off);
         REQUIRE(s.bounds().contains(rec.point));
         CAPTURE(literal(rec));
         REQUIRE(dot(rec.normal, r.direction) <= T(0));
@@ -280,57 +278,6 @@ TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, RAIO_NUMBERS
 TEST_CASE_TEMPLATE("surface of revolution: of one segment, as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<lone_segment<T>>(test_rays, 1.0 / 500);
     check_bounds_of_errors<lone_segment<T>>(share_of(20'000));
-}
-
-TEST_CASE("surface of revolution: of one segment, the bounds of what is missing, from above as well") {
-    using W = strict_double;
-    random_numbers random(34);
-    part_of_bound of_side, of_slope, of_ring;
-    int seen = 0;
-    for (int i = 0; i < at_least(20'000); ++i) {
-        const auto radius = [&] { return random.one_in(8) ? 0 : random.log_uniform(1e-3, 1e3); };
-        const auto height = [&] { return random.uniform(-1, 1) * random.log_uniform(1e-3, 1e3); };
-        lone_segment<double> s{some_vector(random), some_vector(random), radius(), height(), radius(), height()};
-        const bool flat = random.one_in(3);
-        if (flat) s.to_height = s.from_height;
-        const auto exact = converted<oracle>(s);
-
-        // How far a point is above the ring, or how much farther from the axis than the side, in squares.
-        const auto level = [&](const vec3<oracle>& p) {
-            const vec3<oracle> from_base = p - exact.base;
-            const oracle axis2 = dot(exact.axis, exact.axis), up = dot(from_base, exact.axis) / axis2;
-            if (flat) return oracle(up - exact.from_height);
-            const vec3<oracle> beside = from_base - exact.axis * up;
-            const oracle part = (up - exact.from_height) / (exact.to_height - exact.from_height);
-            const oracle rho = exact.from_radius + (exact.to_radius - exact.from_radius) * part;
-            return oracle(dot(beside, beside) - rho * rho);
-        };
-        const double part = random.one_in(4) ? random.log_uniform(1e-6, 1) : random.uniform();
-        const vec3<double> near_by =
-            s.base + s.axis * (s.from_height + (s.to_height - s.from_height) * part) +
-            random.perpendicular(s.axis) * (s.from_radius + (s.to_radius - s.from_radius) * part);
-        const vec3<double> direction = some_vector(random);
-        const auto level_along = [&](const ray<oracle>& ray) {
-            return [&level, ray](const oracle& t) { return level(ray.origin + ray.direction * t); };
-        };
-        const oracle scale = oracle(std::max(s.from_radius, s.to_radius)) / length(vec3<oracle>(direction));
-        if (!(scale > 0)) continue;
-        const oracle root = zero_close_to_0(level_along({vec3<oracle>(near_by), vec3<oracle>(direction)}), scale);
-
-        // All of t is known, or only as much as the bound of its error says.
-        const double error = random.one_in(2) ? 0 : random.log_uniform(1e-16, 1e-6) * rounded<double>(scale);
-        const vec3<oracle> place =
-            vec3<oracle>(near_by) + vec3<oracle>(direction) * (root + error * random.uniform(-1, 1));
-        const vec3<double> origin = near_by + random.direction() * random.log_uniform(1e-9, 1e3);
-        const auto [nearby, exact_ray] = gone_close_to(place, origin, direction);
-        const crossing<W> missing = s.correction(nearby, crossing<W>{true, true, W(0), W(error), true});
-        if (!missing.certain) continue;
-        const oracle t = zero_close_to_0(level_along(exact_ray), scale);
-        (flat ? of_ring : error == 0 ? of_side : of_slope).add(exactly(missing.t) - t, missing.error);
-        ++seen;
-    }
-    CHECK(seen > 10'000);
-    CHECK((of_side.largest > 1e-4 && of_slope.largest > 0.1 && of_ring.largest > 0.1));
 }
 
 TEST_CASE_TEMPLATE("surface of revolution: closed where its profile begins and ends on the axis", T, RAIO_NUMBERS) {

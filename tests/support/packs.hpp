@@ -227,10 +227,13 @@ double fraction_asked_alone(int rays) {
         const auto probes = probes_side_by_side<Shape, P::lanes>(random, ordinary_probe<Shape>);
         const packed_probe<Shape, P> packed(probes);
         constexpr detail::question where = detail::question::where;
-        const auto found = detail::sieve<where>(packed.shape, packed.ray, t_min, t_max);
+        const auto found =
+            detail::sift(detail::first_crossings<where>(packed.shape, packed.ray, t_min, t_max), t_min, t_max);
         if (none(found.sure)) continue;
-        const mask_t<P> again = detail::look_again<where>(packed.shape, packed.ray, t_min, t_max, found).exists;
-        sure += std::popcount(bits(found.sure)), alone += std::popcount(bits(found.sure && !again));
+        hit_record<P> rec;
+        std::uint32_t left = 0;
+        detail::record_known<where>(packed.shape, packed.ray, t_min, t_max, rec, left);
+        sure += std::popcount(bits(found.sure)), alone += std::popcount(bits(found.sure) & left);
     }
     return double(alone) / sure;
 }

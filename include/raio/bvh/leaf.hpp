@@ -49,12 +49,17 @@ struct findings {
     pack<T, N> low, high;
 };
 
-/// What the lanes of a block compute with, and the ray in them: the shapes' own numbers, or what holds those of a ray
-/// that was mapped. Where these are of two doubles, lanes round them, and count that.
+/// What the lanes of a block compute with, and the ray in them. Floats only sieve: in their own numbers, or in what
+/// holds those of a ray that was mapped. Doubles are what plain ones are in the first precision.
 template <class R, class T, std::size_t N>
 struct lanes_for {
     using type = pack<std::conditional_t<std::same_as<R, T>, T, double>, N>;
     using of_ray = type;
+};
+template <std::size_t N>
+struct lanes_for<double, double, N> {
+    using type = pack<strict_double, N>;
+    using of_ray = pack<double, N>;
 };
 template <class T, std::size_t N>
 struct lanes_for<double_double, T, N> {
@@ -115,12 +120,19 @@ public:
         const ray<N> in_every_lane{vec3<N>(vec3<scalar_t<N>>(along.origin)),
                                    vec3<N>(vec3<scalar_t<N>>(along.direction))};
         t_min = within_numbers(t_min), t_max = within_numbers(t_max);
-        S from = t_min, to = t_max;  // more digits than T has may be rounded into the window
-        if constexpr (!std::same_as<S, T>) from = widened<S>(t_min, -1), to = widened<S>(t_max, 1);
+        S from = t_min, to = t_max;
+        // More digits than T has may be rounded into the window.
+        if constexpr (unit_roundoff<S> < unit_roundoff<T>) from = widened<S>(t_min, -1), to = widened<S>(t_max, 1);
         using numbers = pack<T, lanes>;
-        const sifted<numbers> is =
-            sift(crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), in_every_lane, W(from), W(to)),
-                 numbers(t_min), numbers(t_max));
+        const auto crossings = [&] {
+            if constexpr (keeps_all_digits<T>) {
+                return crossings_for<W, question::where>(b.shapes.shapes(), in_every_lane, W(from), W(to));
+            } else {
+                return crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), in_every_lane, W(from),
+                                                         W(to));
+            }
+        };
+        const sifted<numbers> is = sift(crossings(), numbers(t_min), numbers(t_max));
         findings<T, lanes> found{bits(is.sure), bits(is.open), is.low, is.high};
         constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - lanes);
         if (((found.sure | found.open) & all) != 0) {

@@ -69,7 +69,7 @@ private:
             const auto lane = static_cast<unsigned>(std::countr_zero(shapes));
             const P to = within_numbers(P::load(&farthest_[first]));
             const auto found =
-                sift(crossings_for<P, question::where>(spread<P, own>(packed, lane), groups_[g], from, to), from, to);
+                sift(first_crossings<question::where>(spread<P, own>(packed, lane), groups_[g], from, to), from, to);
             const std::uint32_t sure = bits(found.sure) & of, open = bits(found.open) & of;
             for (std::uint32_t left = sure | open; left != 0; left &= left - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(left));

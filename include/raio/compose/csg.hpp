@@ -6,9 +6,11 @@
 /// Constructive solid geometry: what is inside two solids, in one or the other, or in one but not the other.
 ///
 /// A ray is inside a solid between the ends of its spans; the spans of both, united, intersected or subtracted, are
-/// those of the composition (Roth, Computer Graphics and Image Processing 18, 1982). Since every solid's ends are
-/// correctly rounded, equal ends are equal: A - A is empty, and every end is a crossing of one of the leaves, which is
-/// asked for its point, normal and uv at just this t.
+/// those of the composition (Roth, Computer Graphics and Image Processing 18, 1982). A solid's ends are what its hits
+/// record for t: so A - A is empty, and every end is a crossing of one of the leaves, which is asked for its point,
+/// normal and uv at just this t. Of floats these are correctly rounded: where the surfaces of two solids meet, their
+/// ends are equal. Of doubles they are if the same formula finds them; of others a sliver of a few last places may be
+/// left.
 ///
 /// Spans are closed: solids that touch have the points in common that they touch in. What is subtracted takes its
 /// surface along: the inside of the hole is front, as seen from the hole. A line that is inside before a point and

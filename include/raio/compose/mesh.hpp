@@ -113,10 +113,6 @@ struct mesh_triangle {
     crossing<W> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         return (*of)[index].template crossings<W>(ray, wanted);
     }
-    template <class X, class W>
-    crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return (*of)[index].correction(ray, c);
-    }
     template <class W, real R, real N>
     void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         (*of)[index].surface(ray, c, rec);

@@ -13,7 +13,8 @@
 namespace raio::detail {
 
 /// The chord through the slab between two planes across the axis.
-/// \param to_base, to_top  how far it is along the axis from where the line has t = 0 to each plane, times the length of
+/// \param to_base, to_top  how far it is along the axis from where the line has t = 0 to each plane, times the length
+/// of
 ///                         the axis
 template <class W, proven_vector A>
 RAIO_FN constexpr chord<W> cross_slab(const A& axis, const bounded_number<W>& to_base, const bounded_number<W>& to_top,
@@ -89,26 +90,6 @@ RAIO_FN constexpr chord<W> with_round_ends(const chord<W>& c, const Sphere& low,
     of_high.near.face = of_high.far.face = index_t<W>(2);
     chord<W> whole = unite(c, unite(of_low, of_high));
     return {select(beside, c.near, whole.near), select(beside, c.far, whole.far)};
-}
-
-/// What is missing of a crossing with a shape that has round ends; `side` says that of the side.
-template <class X, class W, class Sphere, class Side>
-RAIO_FN constexpr crossing<W> correct_round(const Sphere& low, const Sphere& high, const nearby_ray<X, W>& ray,
-                                            const crossing<W>& c, Side side) {
-    const auto of_low = [&] { return low.correction(ray, c); };
-    const auto of_high = [&] { return high.correction(ray, c); };
-    const auto of_end = [&] { return find_where(c.face == index_t<W>(1), of_low, of_high); };
-    return find_where(c.face == index_t<W>(0), side, of_end);
-}
-
-/// What is missing of a crossing with a shape that has flat caps.
-template <class X, class W, real T, class Side>
-RAIO_FN constexpr crossing<W> correct_axial(const vec3<T>& base, const vec3<T>& top, const nearby_ray<X, W>& ray,
-                                            const crossing<W>& c, Side side) {
-    const auto of_cap = [&] {
-        return correct_plane(difference_as<X>(top, base), select(c.face == index_t<W>(1), base, top), ray);
-    };
-    return find_where(c.face == index_t<W>(0), side, of_cap);
 }
 
 /// What all of them record: the normal and uv of the face that was hit.

@@ -121,48 +121,30 @@ RAIO_FN constexpr crossing<W> cross_edges(const line<W, R>& line, const vec3<T>&
     }
 }
 
-/// What is missing of a crossing: t, u and v are that of the small vector `apart` from the point of the surface that it
-/// names to that of the ray.
-/// \param e1, e2  the edges of the surface there
-template <class W>
-RAIO_FN constexpr edge_crossing<W> cross_apart(const vec3<W>& apart, const vec3<W>& e1, const vec3<W>& e2,
-                                               const vec3<W>& direction) {
-    vec3<W> zero(W(0));
-    return cross_edges(zero, e1, e2, ray<W>{apart, direction},
-                       [](const W&, const W&, const W&) { return infinity<W>; });
-}
-
-/// How much more t is off if `apart` is off by this much: t is apart.(e1 x e2) / det. Products too small for their
-/// digits are taken care of.
-template <class W>
-RAIO_FN constexpr bound_t<W> error_of_apart(const bound_t<W>& error, const edge_crossing<W>& missing, const vec3<W>& e1,
-                                            const vec3<W>& e2) {
-    using E = bound_t<W>;
-    E length2 = norm1(vec3<E>(e2));
-    E lost = error * norm1(vec3<E>(e1)) * length2 + E(least_normal<W>) * (E(1) + length2);
-    return E(2) * quotient(lost, E(missing.size), E(0));
-}
-
-/// What is missing of a crossing with a flat shape.
-template <class X, class W, real T>
-RAIO_FN constexpr crossing<W> correct_edges(const vec3<T>& corner, const vec3<X>& e1, const vec3<X>& e2,
-                                            const nearby_ray<X, W>& ray, const crossing<W>& c) {
-    using E = bound_t<X>;
-    auto [p, p_error] = ray.seen_from(corner);
-    vec3<X> along1 = e1 * X(c.u), along2 = e2 * X(c.v), apart = p - (along1 + along2);
-    vec3<W> edge1(e1), edge2(e2);
-    edge_crossing<W> missing = cross_apart(vec3<W>(apart), edge1, edge2, ray.direction);
-    E lengths = norm1(vec3<E>(p)) + norm1(vec3<E>(along1)) + norm1(vec3<E>(along2));
-    missing.at.error += error_of_apart(p_error + E(8 * unit_roundoff<X>) * lengths, missing, edge1, edge2);
-    return missing.at;
+/// Across two edges, of any length. Where a double has no digits to spare, those of a sliver, or of what is seen
+/// edge-on, are found with more. \param edge  answers with the first or the second one in the precision of its argument
+template <real T, class W, class Edge>
+RAIO_FN constexpr vec3<W> normal_of_edges(Edge edge, [[maybe_unused]] const vec3<W>& direction) {
+    const auto across = [&]<class V>(V number) {
+        return cross(scaled_into_range<T>(edge(number, 0)), scaled_into_range<T>(edge(number, 1)));
+    };
+    vec3<W> normal = across(W(0));
+    if constexpr (detail::lacks_digits<T, W>) {
+        const auto size = [](const vec3<W>& v) { return norm1(vec3<bound_t<W>>(v)); };
+        const bound_t<W> sizes = size(scaled_into_range<T>(edge(W(0), 0))) * size(scaled_into_range<T>(edge(W(0), 1)));
+        const bound_t<W> across_ray = abs(bound_t<W>(dot(normal, direction))), few(0x1p-20);
+        const mask_t<W> thin = some(size(normal) < few * sizes, across_ray < few * size(normal) * size(direction));
+        if (any(thin)) [[unlikely]]
+            normal = select(thin, vec3<W>(scaled_into_range<T>(across(exact_t<T>(0)))), normal);
+    }
+    return normal;
 }
 
 /// Records the crossing with a flat shape that has such edges.
-template <class W, real R, real T, real N>
-RAIO_FN constexpr void record_flat(const aabb<T>& corners, const vec3<W>& e1, const vec3<W>& e2, const ray<R>& ray,
-                                   const crossing<W>& at, hit_record<T, N>& rec) {
-    vec3<W> normal = cross(scaled_into_range<T>(e1), scaled_into_range<T>(e2));
-    vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));
+template <class W, real R, real T, real N, class Edge>
+RAIO_FN constexpr void record_flat(const aabb<T>& corners, Edge edge, const ray<R>& ray, const crossing<W>& at,
+                                   hit_record<T, N>& rec) {
+    vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal_of_edges<T, W>(edge, vec3<W>(ray.direction)))));
     record_point_between(corners, ray, at, rec);
     rec.normal = outward * choose(at.entering, N(1), N(-1));
 }

@@ -2,7 +2,6 @@
 
 #include <raio/hit_record.hpp>
 #include <raio/proof/chord.hpp>
-#include <raio/proof/refine.hpp>
 
 namespace raio {
 
@@ -47,20 +46,6 @@ RAIO_FN constexpr plane_height<W> height_above(const vec3<W>& normal, const vec3
     E error = E(5 * unit_roundoff<W>) * dot(abs(vec3<E>(normal)), abs(vec3<E>(from_point)));
     // Planes ask nothing of the size of their numbers, so that double comes near its smallest here as well.
     return {dot(normal, from_point), last_precision<W> ? error : error + E(least_normal<W>)};
-}
-
-/// What is missing of a crossing with a plane.
-/// \param normal  off by a rounding of X at most
-/// \param at      where the ray is, as seen from a point of the plane
-template <class X, class W>
-RAIO_FN constexpr crossing<W> correct_plane(const vec3<X>& normal, const nearby_point<X>& at, const vec3<W>& d) {
-    using E = bound_t<X>;
-    E size = norm1(vec3<E>(normal)), error = at.error + E(8 * unit_roundoff<X>) * norm1(vec3<E>(at.place));
-    return cross_plane(vec3<W>(normal), d, W(dot(normal, at.place)), size * error);
-}
-template <class X, class W, real T>
-RAIO_FN constexpr crossing<W> correct_plane(const vec3<X>& normal, const vec3<T>& point, const nearby_ray<X, W>& ray) {
-    return correct_plane(normal, ray.seen_from(point), ray.direction);
 }
 
 /// Where a line crosses a plane, and how far from a point of that plane: the square of the distance and its error

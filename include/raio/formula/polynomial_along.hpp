@@ -37,27 +37,4 @@ RAIO_FN constexpr line_part<W> part_near(const ray<R>& ray, const vec3<T>& base,
     return part_near(line<W, R>{ray}, base, center, radius);
 }
 
-/// What is missing of a crossing with the surface where f = 0. Of f along the line from c.t on only the constant term
-/// is needed in the precision of X.
-///
-/// \param along  what f becomes, in any precision, where the coordinates are such polynomials
-template <class X, class W, class Along>
-RAIO_FN constexpr crossing<W> correct_algebraic(const nearby_point<X>& at, const vec3<W>& direction,
-                                                const crossing<W>& c, Along along) {
-    using E = bound_t<X>;
-    std::array<polynomial<X, 0>, 3> place;
-    std::array<polynomial<W, 1>, 3> line;
-    for (glm::length_t i = 0; i < 3; ++i) {
-        const auto axis = static_cast<std::size_t>(i);
-        W p(at.place[i]);
-        place[axis] = {{at.place[i]}, {at.error}};
-        line[axis] = {{p, direction[i]}, {at.error + E(unit_roundoff<W>) * abs(E(p)), E(0)}};
-    }
-    const polynomial<X, 0> value = along(place);
-    auto slope = along(line).derivative();
-    W here = slope.coefficient[0];
-    slope.coefficient[0] = W(0);
-    return newton_step(value.coefficient[0], value.error[0], here, slope.magnitude(c.error));
-}
-
 }  // namespace raio

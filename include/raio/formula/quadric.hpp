@@ -225,22 +225,4 @@ RAIO_FN constexpr quadric_chord<W> cross_quadric(const revolved_quadric<W>& s, c
     return c;
 }
 
-/// What is missing of a crossing.
-/// \param at  where the ray is, as seen from B
-template <class X, class W>
-RAIO_FN constexpr crossing<W> correct_quadric(const revolved_quadric<X>& s, const nearby_point<X>& at, const vec3<W>& d,
-                                              const crossing<W>& c) {
-    using E = bound_t<X>;
-    vec3<W> p(at.place), axis(s.axis);
-    W v(s.v), c1(s.c1), c2(s.c2), axis2 = dot(axis, axis), along = dot(d, axis), height = dot(p, axis);
-    W slope = axis2 * (W(2) * v * dot(cross(p, axis), cross(d, axis)) - c1 * along) - W(2) * c2 * height * along;
-
-    // All along the step the level's gradient is at most `steep`, and that of the slope `curved` |d|.
-    E area(axis2), size = norm1(vec3<E>(p)), speed = norm1(vec3<E>(d)), far = size + speed * c.error;
-    E curved = E(2) * area * (E(v) * area + abs(E(c2))), of_c1 = area * abs(E(c1)) * norm1(vec3<E>(axis));
-    E steep = curved * far + of_c1, value_error = steep * at.error + E(64 * unit_roundoff<X>) * s.terms_within(size);
-    E slope_error = curved * speed * speed * c.error + E(64 * unit_roundoff<W>) * steep * speed;
-    return newton_step(s.level(at.place), value_error, slope, slope_error);
-}
-
 }  // namespace raio

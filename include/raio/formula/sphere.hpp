@@ -145,18 +145,4 @@ template <class W, real T, real R>
                                                          W(radius), power);
 }
 
-/// What is missing of a crossing: one step of Newton's method towards |p|^2 = radius^2, whose slope 2 p.d grows by 2
-/// d.d for each length of the direction. Each of the numbers may be off by three roundings.
-///
-/// \param at  where the line is, as seen from the centre
-template <class X, class W>
-RAIO_FN constexpr crossing<W> correct_sphere(const nearby_point<X>& at, const vec3<W>& d, const X& radius,
-                                             const crossing<W>& c) {
-    using E = bound_t<X>;
-    vec3<W> p(at.place);
-    E size = norm1(vec3<E>(p)) + E(radius), error = E(2) * at.error + E(16 * unit_roundoff<X>) * size;
-    E slope_error = E(2) * E(dot(d, d)) * c.error + E(16 * unit_roundoff<W>) * size * norm1(vec3<E>(d));
-    return newton_step(dot(at.place, at.place) - radius * radius, size * error, W(2) * dot(p, d), slope_error);
-}
-
 }  // namespace raio

@@ -74,11 +74,9 @@ using exact_t = typename real_traits<T>::exact;
 template <class T>
 using bound_t = typename real_traits<T>::bound;
 
-/// Is it packs that nobody wider corrects on the way, since they only sieve? (Packs of strict_double, and of two,
-/// go the same way as one.)
+/// Is it packs that only sieve? (Others go the same way as one number, bit for bit.)
 template <class W>
-inline constexpr bool only_sieves = !std::same_as<mask_t<W>, bool> && !std::same_as<scalar_t<W>, strict_double> &&
-                                    !std::same_as<scalar_t<W>, double_double>;
+inline constexpr bool only_sieves = !std::same_as<mask_t<W>, bool> && std::floating_point<scalar_t<W>>;
 
 /// Is it packs that take a closer look at what a sieve has let through?
 template <class W>

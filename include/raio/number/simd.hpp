@@ -22,7 +22,7 @@ namespace raio {
 /// size.
 template <class S, std::size_t N = detail::native_lanes<S>>
 class pack {
-    static constexpr bool is_strict = std::same_as<S, strict_double>;
+    static constexpr bool is_strict = !std::is_arithmetic_v<S>;
     using held = std::conditional_t<std::is_arithmetic_v<S>, S, double>;  // what registers know
     static_assert(std::is_arithmetic_v<held> && (sizeof(S) == 4 || sizeof(S) == 8) && 1 <= N && N <= 32);
 

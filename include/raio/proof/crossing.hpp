@@ -69,6 +69,8 @@ struct known_crossing {};
 /// GLM's are unions unless it is told otherwise, and GCC keeps an aggregate with a union in memory.
 template <class W>
 struct crossing {
+    using number = W;
+
     mask_t<W> exists;      ///< does the line cross the surface?
     mask_t<W> certain;     ///< is `exists` right whatever the rounding errors were?
     W t;                   ///< ray parameter
@@ -218,15 +220,10 @@ RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, cons
     return difference_as<W>(ray.origin, base) + product_as<W>(ray.direction, t);
 }
 
-/// Is every lane out, so that the rest of a formula may be left? What a sieve has let through is not asked: it hardly
-/// ever is.
+/// Is every lane out, so that the rest of a formula may be left?
 template <class W>
-RAIO_FN constexpr bool may_leave([[maybe_unused]] const mask_t<W>& out) {
-    if constexpr (looks_closer<W>) {
-        return false;
-    } else {
-        return all(out);
-    }
+RAIO_FN constexpr bool may_leave(const mask_t<W>& out) {
+    return all(out);
 }
 
 /// Keeps only crossings whose point T can say: those of a shape without end may lie beyond its largest number.

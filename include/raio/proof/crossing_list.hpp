@@ -208,6 +208,14 @@ RAIO_FN constexpr detail::verdict<W> settled_in_window(const crossing_list<W, N>
     }
     return {{false, list.certain, W(0), bound_t<W>(0), false}, list.certain};
 }
+template <class W, std::size_t N>
+RAIO_FN constexpr const crossing_list<W, N>& in_order(const crossing_list<W, N>& list) {
+    return list;
+}
+template <class W, std::size_t N>
+RAIO_FN constexpr bool are_all(const crossing_list<W, N>& list) {
+    return list.certain;
+}
 
 namespace detail {
 
@@ -219,47 +227,31 @@ concept lists_crossings = requires(const Shape shape, const ray<R> ray) {
 
 }  // namespace detail
 
-/// Where the line is inside a solid: from where it enters to where it leaves next. (Each crossing of a list can be
-/// refined on its own for less than the list takes in double_double. The two ends of a chord cannot.)
+/// Where the line is inside a solid: from where it enters to where it leaves next.
 template <class Shape, real R>
 requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
     using T = typename Shape::number;
-    const auto between_crossings = []<class W, std::size_t N>(const crossing_list<W, N>& list) {
-        spans<T, N / 2> inside;
-        T entered = -infinity<T>;
-        for (const crossing<W>& c : list) {
-            if (c.entering) {
-                entered = T(c.t);
-            } else {
-                inside.append({entered, T(c.t)});
-            }
+    using X = exact_t<T>;
+    const auto exact = [&] { return shape.template crossings<X>(ray); };
+    const auto room_for_half = []<class W, std::size_t N>(const crossing_list<W, N>&) { return spans<T, N / 2>(); };
+    decltype(room_for_half(listed(exact()))) inside;
+    T entered = -infinity<T>;
+    const auto pass = [&](const auto& c) {
+        if (!c.exists) return false;
+        if (c.entering) {
+            entered = T(c.t);
+        } else {
+            inside.append({entered, T(c.t)});
         }
-        return inside;
+        return false;
     };
     if constexpr (detail::works_first<T>) {
-        using W = detail::quick_t<T, R>;
-        using X = exact_t<T>;
-        const auto all_round_to_one = []<class W, std::size_t N>(const crossing_list<W, N>& list) {
-            bool settled = list.certain;
-            for (const crossing<W>& c : list) settled = settled && c.certain && detail::rounds_to_one<T>(c);
-            return settled;
-        };
-        const auto all_refined = [&]<class W, std::size_t N>(const crossing_list<W, N>& list) {
-            crossing_list<X, N> fine(list.certain);
-            for (const crossing<W>& c : list) fine.append(refined<X>(shape, ray, c));
-            return fine;
-        };
         detail::keep_as_stored<T>(shape, ray);
-        const auto quick = listed(shape.template crossings<W>(ray));
-        if (all_round_to_one(quick)) return between_crossings(quick);
-        if constexpr (detail::correctable<Shape, X, W>) {
-            if (quick.certain) {
-                const auto fine = all_refined(quick);
-                if (all_round_to_one(fine)) return between_crossings(fine);
-            }
-        }
+        detail::visit_recorded<T>(shape.template crossings<detail::quick_t<T, R>>(ray), exact, pass);
+    } else {
+        for (const crossing<X>& c : listed(exact())) pass(c);
     }
-    return between_crossings(listed(shape.template crossings<exact_t<T>>(ray)));
+    return inside;
 }
 
 }  // namespace raio

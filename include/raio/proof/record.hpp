@@ -25,11 +25,28 @@ template <real R, real T, real N>
     return rec;
 }
 
+/// Has W no more digits than are recorded, and is there a precision that has?
+template <class T, class W>
+inline constexpr bool lacks_digits =
+    unit_roundoff<T> <= unit_roundoff<W>&& unit_roundoff<exact_t<T>> < unit_roundoff<W>;
+
+/// The same crossing in a wider precision.
+template <class X, class W>
+RAIO_FN constexpr crossing<X> in_more_digits(const crossing<W>& c) {
+    const auto wider = [](const W& x) { return X(bound_t<X>(x)); };
+    return {c.exists, c.certain, wider(c.t), bound_t<X>(c.error), c.entering, c.face, wider(c.u), wider(c.v), c.shared};
+}
+
 /// What the shape records of a crossing. Where its numbers are so uneven that no normal is left of them, that is
 /// against the ray; and what is left of uv is 0.
 template <class Shape, real R, class Crossing, real T, real N>
 RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
-    shape.surface(ray, crossing, rec);
+    using W = typename Crossing::number;
+    if constexpr (unit_roundoff<N> < unit_roundoff<W>) {  // what is mapped on, as unevenly as may be
+        shape.surface(ray, in_more_digits<exact_t<T>>(crossing), rec);
+    } else {
+        shape.surface(ray, crossing, rec);
+    }
     if (!all(is_finite(norm1(rec.normal)))) rec = put_against(ray, rec);
 }
 
@@ -97,6 +114,14 @@ RAIO_FN constexpr void keep_in_bounds(const ray<R>& ray, const crossing<W>& c, h
                   norm1(vec3<E>(vec3<W>(ray.origin))) * E(8 * unit_roundoff<W>);
     const mask_t<T> unknown = !(off <= room);
     if (any(unknown)) rec.point = select(unknown, nearest_in(bounds(), rec.point), rec.point);
+}
+
+/// The same where T has no fewer digits than the precision that t is tried in first, which may put any point some
+/// places beyond the surface.
+template <real T, real N, class Bounds>
+RAIO_FN constexpr void keep_unrounded_in_bounds([[maybe_unused]] hit_record<T, N>& rec,
+                                                [[maybe_unused]] Bounds bounds) {
+    if constexpr (detail::lacks_digits<T, working_t<T>>) rec.point = nearest_in(bounds(), rec.point);
 }
 
 /// Records a point that lies between corners: seen edge-on or from far away, the computed one may lie beyond them.

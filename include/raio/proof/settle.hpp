@@ -1,20 +1,24 @@
 #pragma once
 
+#include <array>
+
 #include <raio/proof/record.hpp>
-#include <raio/proof/refine.hpp>
 #include <raio/proof/settle_lanes.hpp>
 #include <raio/proof/window.hpp>
 
 /// \file
 /// How a crossing is settled beyond doubt, and recorded.
 ///
-/// For float and double a shape's formula is tried in strict_double. If every decision and the last bit of t are then
-/// beyond the error, that is the answer. If only the last bit is not, as of nearly every t in double, t is refined
-/// (proof/refine.hpp). If that does not settle it, or a decision is open, the formula is evaluated again in
-/// double_double. So t is the exact crossing, correctly rounded, and a ray that just misses misses (Ziv, ACM TOMS
-/// 17(3), 1991, rounds elementary functions like this; Shewchuk, 1997, the signs of determinants). A few rays of a
-/// thousand need the closer look in float. In double misses and `occluded` cost what they cost in float. The first try
-/// with a ray of more digits, one that was mapped, is in rounded_double.
+/// For float and double a shape's formula is tried in strict_double, which states its errors. What is beyond doubt then
+/// is the answer; for the rest the formula is evaluated again in double_double (Ziv, ACM TOMS 17(3), 1991, rounds
+/// elementary functions like this; Shewchuk, 1997, the signs of determinants). So a ray that just misses misses. A few
+/// rays of a thousand need the closer look. The first try with a ray of more digits, one that was mapped, is in
+/// rounded_double.
+///
+/// Of float, t is the exact one, correctly rounded: the last bit may be in doubt as well. Of double, t is what the
+/// formula finds in strict_double, as long as it is known which crossings there are and on which side of the origin
+/// they lie. The first that is not known, and those behind it, are what double_double finds. Nothing of that depends on
+/// the window, or on what is asked, so that t does not either.
 
 namespace raio {
 
@@ -28,30 +32,85 @@ inline constexpr bool works_first = !std::same_as<working_t<T>, exact_t<T>>;
 template <real T, real R>
 using quick_t = std::conditional_t<unit_roundoff<working_t<T>> <= unit_roundoff<R>, working_t<T>, rounded_double>;
 
-/// The same question, if the quick crossing has not answered it: what is missing of that is added, or the exact formula
-/// decides. Out of line, and without what is known already: where this is rare, it must not cost the common case its
-/// registers.
+/// The crossings in order along the line, whether they exist or not.
+template <class W>
+RAIO_FN constexpr std::array<crossing<W>, 1> in_order(const crossing<W>& c) {
+    return {c};
+}
+template <class W>
+RAIO_FN constexpr std::array<crossing<W>, 2> in_order(const chord<W>& c) {
+    return {c.near, c.far};
+}
+template <class W>
+RAIO_FN constexpr std::array<crossing<W>, 4> in_order(const chord_pair<W>& c) {
+    return {c.first.near, c.first.far, c.second.near, c.second.far};
+}
+
+/// Are these all, whatever the rounding errors were?
+template <class Found>
+RAIO_FN constexpr bool are_all(const Found&) {
+    return true;
+}
+
+/// Calls `visit` with the crossings of one number each, in order, until it answers true: the quick ones as long as they
+/// are known, and then the exact ones.
+/// \param exact  answers with them, to be asked only then
+template <real T, class Quick, class Exact, class Visit>
+RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit visit) {
+    const auto& first = in_order(quick);
+    auto open = first.begin();  // the first that is not known
+    if (are_all(quick)) {
+        for (; open != first.end() && is_known<T>(*open); ++open) {
+            if (visit(*open)) return true;
+        }
+        if (open == first.end()) return false;
+    }
+    const auto found_closer = exact();
+    const auto& closer = in_order(found_closer);
+    auto known = open - first.begin(), count = closer.end() - closer.begin();
+    bool found = false;
+    for (auto c = closer.begin() + (known < count ? known : count); c != closer.end(); ++c) {
+        if (visit(*c)) return true;
+        found = found || c->exists;
+    }
+    // If a quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the range.
+    for (; !found && are_all(quick) && open != first.end() && open->certain; ++open) {
+        if (visit(*open)) return true;
+    }
+    return false;
+}
+
+/// The same question, if the quick crossing has not answered it: the exact formula decides. Out of line, and without
+/// what is known already: where this is rare, it must not cost the common case its registers.
 template <real T, class Shape, real R, class Then>
 [[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
                                                             Then then) {
     using W = quick_t<T, R>;
     using X = exact_t<T>;
-    if constexpr (works_first<T>) {
-        auto [quick, known] = settled_in_window<question::whether>(
-            crossings_for<W, question::where>(shape, ray, t_min, t_max), t_min, t_max);
-        if constexpr (correctable<Shape, X, W>) {
-            // Whatever the window is, and whatever is asked, it is the same crossing that is found.
-            if (refinable(quick)) {
-                auto fine = refined<X>(shape, ray, quick);
-                if (is_settled(fine, t_min, t_max)) return then(fine);
+    if constexpr (works_first<T> && keeps_all_digits<T>) {
+        bool met = false;
+        visit_recorded<T>(
+            crossings_for<W, question::where>(shape, ray, t_min, t_max),
+            [&] { return crossings_for<X, question::where>(shape, ray, t_min, t_max); },
+            [&](const auto& c) {
+                auto first = first_in_window(c, t_min, t_max);
+                if (!first.exists) return false;
+                met = then(first);
+                return true;
+            });
+        return met;
+    } else {
+        auto exact = first_in_window(crossings_for<X, question::where>(shape, ray, t_min, t_max), t_min, t_max);
+        if constexpr (works_first<T>) {
+            // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
+            // range.
+            if (!exact.exists) {
+                auto [quick, known] = settled_in_window<question::whether>(
+                    crossings_for<W, question::where>(shape, ray, t_min, t_max), t_min, t_max);
+                if (known && quick.exists) return then(quick);
             }
         }
-        auto exact = first_in_window(crossings_for<X, question::where>(shape, ray, t_min, t_max), t_min, t_max);
-        // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
-        // range.
-        return !exact.exists && known && quick.exists ? then(quick) : then(exact);
-    } else {
-        return then(first_in_window(crossings_for<X, question::where>(shape, ray, t_min, t_max), t_min, t_max));
+        return then(exact);
     }
 }
 
@@ -60,20 +119,10 @@ template <question Asked, real T, class Shape, real R, class Then>
 RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T>) {
         keep_as_stored<T>(shape, ray);
-        auto quick = crossings_for<quick_t<T, R>, Asked>(shape, ray, t_min, t_max);
-        if constexpr (Asked != question::whether && always_refined<Shape, T>) {
-            auto [first, known] = settled_in_window<question::whether>(quick, t_min, t_max);
-            if (known && !first.exists) return false;
-            if (refinable(first)) [[likely]] {
-                auto fine = refined<exact_t<T>>(shape, ray, first);
-                if (is_settled(fine, t_min, t_max)) [[likely]]
-                    return then(fine);
-            }
-        } else {
-            auto [first, known] = settled_in_window<Asked>(quick, t_min, t_max);
-            if (known) [[likely]]
-                return then(first);
-        }
+        auto [first, known] =
+            settled_in_window<Asked>(crossings_for<quick_t<T, R>, Asked>(shape, ray, t_min, t_max), t_min, t_max);
+        if (known) [[likely]]
+            return then(first);
     }
     return settle_closer(shape, ray, t_min, t_max, then);
 }
@@ -99,32 +148,38 @@ RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray
     });
 }
 
-/// Where the line is inside a convex solid; empty where it misses. Both ends are as exact as a hit's t.
+/// Where the line is inside a convex solid; empty where it misses. Both ends are what a hit records for t.
 template <class Shape, real R>
 RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
     using T = typename Shape::number;
-    const auto between_ends = [](const auto& c) {
-        const mask_t<T> meets = some(c.near.exists, c.far.exists);  // an end out of T's range is still an end
-        return interval<T>{select(meets, T(c.near.t), infinity<T>), select(meets, T(c.far.t), -infinity<T>)};
+    const auto between_ends = [](const auto& near, const auto& far) {
+        const mask_t<T> meets = some(near.exists, far.exists);  // an end out of T's range is still an end
+        return interval<T>{select(meets, T(near.t), infinity<T>), select(meets, T(far.t), -infinity<T>)};
     };
     if constexpr (detail::works_first<T>) {
         detail::keep_as_stored<T>(shape, ray);
         auto quick = shape.template crossings<detail::quick_t<T, R>>(ray);
-        const bool meets = some(quick.near.exists, quick.far.exists);
-        const auto settled = [](const auto& c) { return c.certain && detail::rounds_to_one<T>(c); };
-        if (!meets) {
-            if (every(quick.near.certain, quick.far.certain)) return between_ends(quick);
-        } else if constexpr (detail::always_refined<Shape, T>) {
-            if (detail::refinable(quick.near) && detail::refinable(quick.far)) {
-                chord<exact_t<T>> fine{refined<exact_t<T>>(shape, ray, quick.near),
-                                       refined<exact_t<T>>(shape, ray, quick.far)};
-                if (settled(fine.near) && settled(fine.far)) return between_ends(fine);
-            }
-        } else if (every(settled(quick.near), settled(quick.far))) [[likely]] {
-            return between_ends(quick);
+        auto& [near, far] = quick;
+        const bool missed = every(!near.exists, !far.exists, near.certain, far.certain);
+        const auto is_known = [](const auto& c) {
+            if constexpr (detail::keeps_all_digits<T>) return detail::is_known<T>(c);
+            return c.certain && detail::rounds_to_one<T>(c);
+        };
+        const bool known = is_known(near);
+        if (missed || every(known, is_known(far))) [[likely]]
+            return between_ends(near, far);
+        const auto exact = shape.template crossings<exact_t<T>>(ray);
+        if constexpr (detail::keeps_all_digits<T>) {  // the same that `visit_recorded` finds
+            const bool found = exact.far.exists || (!known && exact.near.exists);
+            const crossing<detail::quick_t<T, R>>& open = known ? far : near;
+            if (!found && open.exists && open.certain) return between_ends(near, far);
+            if (known) return between_ends(near, exact.far);
         }
+        return between_ends(exact.near, exact.far);
+    } else {
+        const auto exact = shape.template crossings<exact_t<T>>(ray);
+        return between_ends(exact.near, exact.far);
     }
-    return between_ends(shape.template crossings<exact_t<T>>(ray));
 }
 
 }  // namespace raio

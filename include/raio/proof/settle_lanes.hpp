@@ -2,16 +2,15 @@
 
 #include <raio/proof/lanes.hpp>
 #include <raio/proof/record.hpp>
-#include <raio/proof/refine.hpp>
 #include <raio/proof/window.hpp>
 
 /// \file
 /// How packs are settled: in each lane as the plain number there, bit for bit.
 ///
-/// The formula in the pack's own precision is a sieve. Its crossings state their errors, so of most lanes it is known
-/// whether they are hit, and where about. What is recorded of those that are is found operation by operation as that of
-/// a plain number: of floats in packs of strict_double, of doubles with two of those, which refine what one has found.
-/// Whatever is open after that is asked of the plain shape in its lane.
+/// Packs of floats are sieved in their own precision. Its crossings state their errors, so of most lanes it is known
+/// whether they are hit, and where about. What is recorded of those that are is found in packs of strict_double, as
+/// that of a plain number, operation by operation. Packs of doubles go there at once. Whatever is open after that is
+/// asked of the plain shape in its lane.
 
 namespace raio {
 
@@ -68,21 +67,19 @@ struct rounded_chord {
     }
 };
 
+/// What packs of floats know of a crossing, or of the first in the window of several.
 template <class T, class W>
-RAIO_FN sifted<T> sift(const crossing<W>& c, const T& t_min, const T& t_max) {
-    if (c.missed) return {false, false, T(0), T(0)};
+RAIO_FN sifted<T> sift_rounded(const crossing<W>& c, const T& t_min, const T& t_max) {
     const rounded_crossing<T, W> is(c, t_min, t_max);
     return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high};
 }
 template <class T, class W>
-RAIO_FN sifted<T> sift(const chord<W>& c, const T& t_min, const T& t_max) {
-    if (missed(c)) return {false, false, T(0), T(0)};
+RAIO_FN sifted<T> sift_rounded(const chord<W>& c, const T& t_min, const T& t_max) {
     const rounded_chord<T, W> is(c, t_min, t_max);
     return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high, is.at_near};
 }
 template <class T, class W>
-RAIO_FN sifted<T> sift(const chord_pair<W>& c, const T& t_min, const T& t_max) {
-    if (missed(c)) return {false, false, T(0), T(0)};
+RAIO_FN sifted<T> sift_rounded(const chord_pair<W>& c, const T& t_min, const T& t_max) {
     const rounded_chord<T, W> first(c.first, t_min, t_max), second(c.second, t_min, t_max);
     const mask_t<T> sure = some(first.inside, every(first.passed, second.inside)), in_first = !first.passed;
     const mask_t<T> out = some(first.beyond, every(first.passed, some(second.beyond, second.passed)));
@@ -90,6 +87,24 @@ RAIO_FN sifted<T> sift(const chord_pair<W>& c, const T& t_min, const T& t_max) {
     return {
         sure,    !some(sure, out), select(in_first, first.low, second.low), select(in_first, first.high, second.high),
         at_near, in_first};
+}
+
+template <class W>
+RAIO_FN bool missed(const crossing<W>& c) {
+    return c.missed;
+}
+
+/// What packs know of the first crossing in the window. Of doubles it is what is recorded.
+template <class T, template <class> class Found, class W>
+RAIO_FN sifted<T> sift(const Found<W>& found, const T& t_min, const T& t_max) {
+    if (missed(found)) return {false, false, T(0), T(0)};
+    if constexpr (keeps_all_digits<T>) {
+        auto [first, known] = settled_in_window<question::where>(found, t_min, t_max);
+        const T t(first.t);
+        return {every(known, first.exists), !known, t, t};
+    } else {
+        return sift_rounded(found, t_min, t_max);
+    }
 }
 
 /// The crossings that a sieve is sure of, in a wider precision: beyond doubt where they exist.
@@ -122,20 +137,31 @@ RAIO_FN crossing<W> retrieved(const sifted<T>& found, const chord<W>& c, const T
     return one;
 }
 
+/// What packs are asked in first: of floats that is a sieve.
+template <class T>
+using first_t = std::conditional_t<keeps_all_digits<T>, working_t<T>, T>;
+
 /// Is the formula of the shape one for many lanes at once?
 template <class Shape, class T>
 concept sifts = requires(const Shape shape, const ray<T> ray, const T t) {
-    sift(shape.template crossings<T>(ray), t, t);
+    sift(shape.template crossings<first_t<T>>(ray), t, t);
 };
 
-/// What the pack's own precision makes of it, with ends of the window that are numbers.
+/// Crossings of packs, with ends of the window that are numbers.
+template <question Asked, class Shape, class T>
+RAIO_FN auto first_crossings(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max) {
+    using W = first_t<T>;
+    return crossings_for<W, Asked>(shape, ray, W(t_min), W(t_max));
+}
+
+/// What packs of floats make of it in their own precision.
 template <question Asked, class Shape, class T>
 RAIO_FN sifted<T> sieve(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max) {
-    using found = decltype(crossings_for<T, Asked>(shape, ray, t_min, t_max));
+    using found = decltype(first_crossings<Asked>(shape, ray, t_min, t_max));
     if constexpr (Asked == question::only_where && std::same_as<found, crossing<T>>) {
         return {true, false, t_min, t_max};
     } else {
-        return sift(crossings_for<T, Asked>(shape, ray, t_min, t_max), t_min, t_max);
+        return sift(first_crossings<Asked>(shape, ray, t_min, t_max), t_min, t_max);
     }
 }
 
@@ -147,26 +173,6 @@ RAIO_FN auto crossings_again(const Shape& shape, const ray<T>& ray, const T& t_m
         return shape.template crossings<W>(ray, known_chord<mask_t<T>>{found.in_first});
     } else {
         return crossings_for<W, question::only_where>(shape, ray, t_min, t_max);
-    }
-}
-
-/// Is there a wider precision for those that the sieve has found?
-template <class Shape, class T>
-concept looked_at_again = unit_roundoff<working_t<T>> < unit_roundoff<T> || always_refined<Shape, T>;
-
-/// Those that the sieve has found, where they are beyond doubt.
-template <question Asked, class Shape, class T>
-RAIO_FN auto look_again(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max, const sifted<T>& found) {
-    using W = working_t<T>;
-    if constexpr (always_refined<Shape, T>) {
-        // Which of several it is has to be found out as by one number, or another might be refined.
-        auto quick = crossings_for<W, question::where>(shape, ray, t_min, t_max);
-        auto first = settled_in_window<question::whether>(quick, t_min, t_max).first;
-        auto fine = refined<exact_t<T>>(shape, ray, first);
-        fine.exists = every(found.sure, refinable(first), is_settled(fine, t_min, t_max));
-        return fine;
-    } else {
-        return retrieved<Asked>(found, crossings_again<W>(shape, ray, t_min, t_max, found), t_min);
     }
 }
 
@@ -185,7 +191,7 @@ RAIO_FLATTEN RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T 
     if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
         t_min = detail::within_numbers(t_min), t_max = detail::within_numbers(t_max);
         const auto found =
-            detail::sift(detail::crossings_for<T, detail::question::whether>(shape, ray, t_min, t_max), t_min, t_max);
+            detail::sift(detail::first_crossings<detail::question::whether>(shape, ray, t_min, t_max), t_min, t_max);
         const std::uint32_t open = bits(found.open);
         if (open == 0) [[likely]]
             return found.sure;
@@ -194,6 +200,42 @@ RAIO_FLATTEN RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T 
         return detail::any_hit_in_lanes(shape, ray, t_min, t_max);
     }
 }
+
+namespace detail {
+
+/// Records what packs know of the lanes' first crossings. Answers which lanes have one, and leaves in `left` those that
+/// are open.
+template <question Asked, class Shape, class T, class N>
+RAIO_FN mask_t<T> record_known(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max,
+                               hit_record<T, N>& rec, std::uint32_t& left) {
+    const T from = within_numbers(t_min), to = within_numbers(t_max);
+    if constexpr (keeps_all_digits<T>) {
+        const auto found = first_crossings<Asked>(shape, ray, from, to);
+        left = 0;
+        if (missed(found)) return false;
+        auto [first, known] = settled_in_window<Asked>(found, from, to);
+        const mask_t<T> met = every(mask_t<T>(known), mask_t<T>(first.exists));
+        left = bits(!mask_t<T>(known)) & every_lane<T>;
+        if (any(met)) [[likely]]
+            record(shape, ray, first, rec);
+        return met;
+    } else {
+        using W = working_t<T>;
+        const sifted<T> found = sieve<Asked>(shape, ray, from, to);
+        const std::uint32_t sure = bits(found.sure);
+        left = sure | bits(found.open);
+        if (sure == 0) [[unlikely]]
+            return false;
+        keep_as_stored<T>(shape, ray);
+        auto first = retrieved<Asked>(found, crossings_again<W>(shape, ray, t_min, t_max, found), t_min);
+        const mask_t<T> met = first.exists;
+        left &= ~bits(met);
+        record(shape, ray, first, rec);
+        return met;
+    }
+}
+
+}  // namespace detail
 
 /// `hit` of every shape of packs.
 /// \tparam Asked  `only_where` if there is a crossing beyond doubt in every lane
@@ -204,20 +246,8 @@ RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, 
     mask_t<T> met(false);
     std::uint32_t left = detail::every_lane<T>;  // who has not been answered
     if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
-        detail::sifted<T> found =
-            detail::sieve<Asked>(shape, ray, detail::within_numbers(t_min), detail::within_numbers(t_max));
-        const std::uint32_t sure = bits(found.sure);
-        left = sure | bits(found.open);
-        if (left == 0) return false;
-        if constexpr (detail::looked_at_again<Shape, T>) {
-            if (sure != 0) [[likely]] {
-                detail::keep_as_stored<T>(shape, ray);
-                auto first = detail::look_again<Asked>(shape, ray, t_min, t_max, found);
-                met = first.exists;
-                left &= ~bits(met);
-                detail::record(shape, ray, first, candidate);
-            }
-        }
+        met = detail::record_known<Asked>(shape, ray, t_min, t_max, candidate, left);
+        if (left == 0 && none(met)) return false;
     }
     if (left != 0) [[unlikely]] {
         hit_record<T, N> of_lanes = candidate;

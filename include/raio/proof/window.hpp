@@ -49,21 +49,30 @@ concept finds_known_crossing = requires(const Shape& shape, const ray<R>& ray) {
     { shape.template crossings<W>(ray, known_crossing{}) } -> std::same_as<crossing<W>>;
 };
 
+/// Has T the digits of the precision that its formulas are tried in first? Then t is recorded as they find it there.
+/// Any other T is rounded to from more digits, and correctly.
+template <class T>
+inline constexpr bool keeps_all_digits = unit_roundoff<T> <= unit_roundoff<working_t<T>>;
+
+/// May a shape that searches find what is wanted, and no more? Where T keeps all digits the last of them depend on how
+/// it is found, and the place in the list says which one it is: so all are found alike. (Packs do not search.)
+template <class T>
+inline constexpr bool finds_no_more = !keeps_all_digits<T> || !std::same_as<mask_t<T>, bool>;
+
 /// The crossings of a shape; of one that can find less with less work only what the question wants to know.
 template <class W, question Asked, class Shape, real R, real T>
 RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
     if constexpr (Asked == question::only_where && finds_known_crossing<Shape, W, R>) {
         return shape.template crossings<W>(ray, known_crossing{});
-    } else if constexpr (requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
+    } else if constexpr (finds_no_more<T> && requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
         return shape.template crossings<W>(ray, first_from<T>{t_min, t_max, Asked == question::whether});
     } else {
         return shape.template crossings<W>(ray);
     }
 }
 
-/// The first crossing that may be in the window as W finds it, and whether exact arithmetic is known to say the same:
-/// the crossing is certain, wherever in its error t is, it lies inside the window, or outside; and if t is asked for,
-/// both ends of the error round to the same.
+/// The first crossing that may be in the window as W finds it, and whether that settles it: is it known which one it
+/// is and, if t is asked for, what t is recorded?
 template <class W>
 struct verdict {
     crossing<W> first;
@@ -76,25 +85,51 @@ RAIO_FN constexpr mask_t<T> rounds_to_one(const crossing<W>& c) {
     return T(sum_as<W>(-c.error, c.t)) == T(sum_as<W>(c.error, c.t));
 }
 
-/// Is a refined crossing beyond doubt: inside the window, and to the last bit of T?
-template <real T, class X>
-RAIO_FN constexpr mask_t<T> is_settled(const crossing<X>& fine, T t_min, T t_max) {
-    return fine.certain && rounds_to_one<T>(fine) && in_window(fine, t_min, t_max);
+/// Is t beyond doubt on one side of 0, or at 0?
+template <class W>
+RAIO_FN constexpr mask_t<W> has_known_sign(const crossing<W>& c) {
+    using E = bound_t<W>;
+    E size = abs(E(c.t));
+    return some(size > c.error, every(size == E(0), c.error == E(0)));
+}
+
+/// Of a crossing that exists: is T(c.t) recorded of it? If T keeps all digits, that is what the formula finds, where
+/// there is no doubt which face it is and on which side of the origin.
+template <real T, class W>
+RAIO_FN constexpr mask_t<T> is_recorded(const crossing<W>& c) {
+    if constexpr (keeps_all_digits<T>) {
+        return every(mask_t<T>(!c.shared), mask_t<T>(is_finite(c.t)), mask_t<T>(has_known_sign(c)));
+    } else {
+        return every(rounds_to_one<T>(c), is_finite(T(c.t)));
+    }
+}
+
+/// Is it beyond doubt whether the crossing exists and, if it does, what t is recorded of it? That does not depend on a
+/// window, so t does not either.
+template <real T, class W>
+RAIO_FN constexpr mask_t<T> is_known(const crossing<W>& c) {
+    return every(mask_t<T>(c.certain), some(mask_t<T>(!c.exists), is_recorded<T>(c)));
 }
 
 template <question Asked, real T, class W>
 RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
     if constexpr (Asked == question::only_where) {
-        c.exists = true;
-        return {c, every(rounds_to_one<T>(c), is_finite(T(c.t)))};
+        c.exists = W(0) == W(0);
+        return {c, is_recorded<T>(c)};
     }
-    if (none(c.exists)) return {c, c.certain};
-    const T low = T(c.t - c.error), high = T(c.t + c.error);
-    const mask_t<T> inside =
-        every(t_min <= low, high <= t_max, is_finite(high), mask_t<T>(Asked == question::whether) || low == high);
-    const mask_t<W> outside = some(high < t_min, t_max < low), missed = !c.exists;
-    c.exists = every(c.exists, !outside);
-    return {c, every(c.certain, some(missed, inside, outside))};
+    if constexpr (keeps_all_digits<T>) {
+        const mask_t<W> known = is_known<T>(c);
+        c.exists = every(c.exists, mask_t<W>(t_min <= T(c.t)), mask_t<W>(T(c.t) <= t_max));
+        return {c, known};
+    } else {
+        if (none(c.exists)) return {c, c.certain};
+        const T low = T(c.t - c.error), high = T(c.t + c.error);
+        const mask_t<T> inside =
+            every(t_min <= low, high <= t_max, is_finite(high), mask_t<T>(Asked == question::whether) || low == high);
+        const mask_t<W> outside = some(high < t_min, t_max < low), missed = !c.exists;
+        c.exists = every(c.exists, !outside);
+        return {c, every(c.certain, some(missed, inside, outside))};
+    }
 }
 
 /// The verdict on the first of several crossings, or, where that is passed, on those that come next.

@@ -85,13 +85,6 @@ struct algebraic {
         }
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        if (c.face != index_t<W>(0)) return {};  // a face of the box: the formula decides
-        return correct_algebraic(ray.seen_from(vec3<T>(T(0))), ray.direction, c,
-                                 [this](const auto& point) { return this->along(point); });
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         const box<T> box{min, max};
@@ -107,6 +100,7 @@ struct algebraic {
         }
         vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t;
         record_gradient(ray, c, gradient(p), norm1(max - min), rec);
+        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
         rec.point = nearest_in(aabb<T>{min, max}, rec.point);
         vec3<T> place = (rec.point - min) / (max - min);
         rec.uv = {raio::min(T(1), place.x), raio::min(T(1), place.y)};

@@ -103,69 +103,6 @@ struct bezier_curve {
         return list;
     }
 
-    /// Of the sphere of u, with b = p - C, the level g = |b|^2 - r^2 is zero at the crossing, and so is its slope
-    ///
-    ///     g_u / -2 = h = b.C' + r r',    with the slopes  h_u = b.C'' - C'.C' + r'^2 + r r'',  h_t = d.C'
-    ///
-    /// unless it is at an end of the curve, where c.v, how far u may be off, is 0. So one step of Newton's method finds
-    /// u closely enough for g not to notice, and another one t. The bounds of both are known better once there are
-    /// bounds of both.
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        using E = bound_t<X>;
-        constexpr double in_w = 64 * unit_roundoff<W>;
-        const E end = abs(E(c.u)) + E(c.v), speed = norm1(vec3<E>(ray.direction));
-        const auto [p, p_error] = ray.seen_from(p0);
-        const sphere_near<W> at = sphere_at(vec3<W>(p), c.u, end);
-        const cubic_near<W>& r = at.radius;
-        E fastest(0), most_bend(0), most_twist(0), far = norm1(vec3<E>(p)) + speed * c.error;
-        for (const cubic_near<W>& center : at.center) {
-            fastest += center.fastest, most_bend += center.most_bend, most_twist += center.most_twist;
-            far += center.most;
-        }
-        // None of these is larger anywhere near; each has a few roundings of that.
-        const E most = far * fastest + r.most * r.fastest;
-        const E most_slope = far * most_bend + fastest * fastest + r.fastest * r.fastest + r.most * r.most_bend;
-        const E most_change =
-            far * most_twist + E(3) * (fastest * most_bend + r.fastest * r.most_bend) + r.most * r.most_twist;
-        const W further = at.further(c.v);
-
-        const X u = X(c.u) + X(further);
-        vec3<X> b = p, ahead;
-        E b_error = p_error;
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            const polynomial<X, 3> center = coordinate<X>(axis);
-            b[axis] = b[axis] - center(u), ahead[axis] = center.derivative()(u);
-            b_error += center.noise()(end);
-        }
-        const polynomial<X, 3> radius = radii<X>();
-        const X r_there = radius(u);
-        const vec3<W> from_center(b);
-        const E size = norm1(vec3<E>(from_center)), r_error = radius.noise()(end), r_size = abs(E(r_there));
-        const X level = dot(b, b) - r_there * r_there;
-        const W slope = W(2) * dot(from_center, ray.direction);
-        const E level_error = b_error * (E(2) * size + b_error) + r_error * (E(2) * r_size + r_error) +
-                              E(16 * unit_roundoff<X>) * (size * size + r_size * r_size);
-        const W h_there(dot(b, ahead) + r_there * radius.derivative()(u));
-        const E h_error = abs(E(h_there)) + E(64 * unit_roundoff<X>) * most;
-        crossing<W> missing;
-        E off = E(c.v) + abs(E(further)), reach = c.error;
-        for (int i = 0; i < 3; ++i) {
-            const E step = speed * reach;
-            const E least =
-                abs(E(at.h_u)) - (off + abs(E(further))) * most_change - step * most_bend - E(in_w) * most_slope;
-            if (least > E(0)) off = min(off, (h_error + step * fastest) / least);
-            missing = newton_step(level, level_error + off * off * most_slope, slope,
-                                  speed * (E(2) * step + E(16 * unit_roundoff<W>) * size));
-            if (!missing.certain) break;
-            reach = min(reach, abs(E(missing.t)) + missing.error);
-        }
-        // The normal depends on all digits of u.
-        const W still = h_there + dot(vec3<W>(ahead), ray.direction) * missing.t;
-        if (c.v > W(0)) missing.u = further - quotient(still, at.h_u, W(0));
-        return if_to_all_digits(missing, ray);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
@@ -204,7 +141,12 @@ private:
         return hull(hull(around(p0, r0), around(p1, r1)), hull(around(p2, r2), around(p3, r3)));
     }
 
-    /// The sphere of u, and what a point p makes of it: h, as in `correction`, and its slope h_u.
+    /// The sphere of u, and what a point p makes of it, b as seen from its centre C: the level g = |b|^2 - r^2 is zero
+    /// at a crossing, and so is its slope
+    ///
+    ///     g_u / -2 = h = b.C' + r r',    with the slope  h_u = b.C'' - C'.C' + r'^2 + r r''
+    ///
+    /// unless u is an end of the curve.
     template <class W>
     struct sphere_near {
         std::array<cubic_near<W>, 3> center;

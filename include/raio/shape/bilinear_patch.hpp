@@ -57,39 +57,6 @@ struct bilinear_patch {
         return cross_triangle<W>(triangle<T>{around[i], around[(i + 2) % 4], around[(i + 3) % 4]}, i, ray);
     }
 
-    /// Where u and v are off by du and dv, the point of the patch is off by du dv D more than its edges there say. The
-    /// error of t covers the whole of (|A| + |D|) |du| (see cross_moving_line), and what then is left of the distance
-    /// of both points is dv's. What is found with these bounds tells much better ones.
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        using E = bound_t<X>;
-        if (edge_without_length() < 4) return {};
-        const auto [edge_u, edge_v, far] = edges<X>();
-        const auto [p, p_error] = ray.seen_from(p00);
-        vec3<X> twist = far - edge_v, along_v = edge_v + product_as<X>(twist, c.u);
-        vec3<X> apart = p - (product_as<X>(edge_u, c.u) + product_as<X>(along_v, c.v));
-        vec3<W> at_u(edge_u + product_as<X>(twist, c.v)), at_v(along_v);
-        edge_crossing<W> missing = cross_apart(vec3<W>(apart), at_u, at_v, ray.direction);
-        crossing<W> at = missing.at;
-
-        const auto size = [](const auto& v) { return norm1(vec3<E>(v)); };
-        E reach = size(edge_u) + size(edge_v) + size(far), speed = size(ray.direction), bend = size(twist);
-        E error = p_error + E(32 * unit_roundoff<X>) * (size(p) + reach), u_size = size(at_u), v_size = size(at_v);
-        E off = E(2) * speed * c.error, du = off / (size(edge_u) + bend), least_v = v_size - bend * du;
-        E dv = E(2) * (size(apart) + error + off + u_size * du) / least_v;
-        // How far the point that u and v name may be off, and so u and v by no more than that over an edge.
-        E of_det = E(2) * quotient(missing.size_error, E(missing.size), E(0));
-        E of_u_v = of_det * (u_size * abs(E(at.u)) + v_size * abs(E(at.v))), rest(0);
-        for (int i = 0; i < 2; ++i) {
-            at.error = missing.at.error + error_of_apart(error + bend * du * dv, missing, at_u, at_v);
-            rest = of_u_v + speed * at.error;
-            du = E(2) * abs(E(at.u)) + rest / u_size, dv = E(2) * abs(E(at.v)) + rest / v_size;
-        }
-        // Near a tangent that may be as much as decides the normal's last bits.
-        at.certain = every(at.certain, least_v > E(0), rest <= E(0x1p-72) * min(u_size, v_size));
-        return at;
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
         using Q = working_t<N>;

@@ -117,39 +117,6 @@ struct blob {
         return list;
     }
 
-    /// Each field is s q^2 with q = 1 - |b|^2 / r^2, and its slope -4 s q b.d / r^2, b from the centre or the axis to
-    /// the point. While q is positive that changes at a rate of at most 12 s |d|^2 / r^2, and else it is 0.
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        using E = bound_t<X>;
-        constexpr double u = unit_roundoff<X>;
-        const E speed = norm1(vec3<E>(ray.direction));
-        X value(threshold);
-        W slope(0);
-        E value_error = E(2 * u) * E(W(threshold)), slope_error(0);
-        for (const metaball<T>& m : components) {
-            if (!has_effect(m)) continue;
-            auto [p, p_error] = ray.seen_from(m.center);
-            const E strength = abs(E(W(m.strength))), over_r = E(1) / E(W(m.radius)), step = speed * c.error * over_r;
-            const vec3<W> nearly = from_axis(m, vec3<W>(p));
-            const E size = norm1(vec3<E>(nearly)) * over_r;
-            if (E(depth(m, nearly)) + (E(2) * size + step) * step + E(0x1p-30) * (E(1) + size * size) < E(0)) continue;
-
-            const vec3<X> beside = from_axis(m, p);
-            const X within = max(X(0), depth(m, beside));
-            // What b is seen from moves less than the point does, and 32 roundings of that go into it.
-            const E off = (E(2) * p_error + E(32 * u) * norm1(vec3<E>(p))) * over_r + E(8 * u) * size;
-            const E q(within), q_error = off * (E(2) * size + off) + E(8 * u);
-            value = value - X(m.strength) * within * within;
-            value_error += strength * (q_error * (E(2) * q + q_error) + E(8 * u) * q * q) + E(2 * u) * abs(E(value));
-            const W rate = W(m.strength) * W(within) * dot(vec3<W>(beside), ray.direction) * W(over_r * over_r);
-            slope += W(4) * rate;
-            slope_error += E(12) * strength * step * speed * over_r +
-                           E(64 * unit_roundoff<W>) * strength * (q + q_error) * size * speed * over_r;
-        }
-        return if_to_all_digits(newton_step(value, value_error, slope, slope_error), ray);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t, outwards(W(0));
@@ -162,6 +129,7 @@ struct blob {
         const aabb<T> box = bounds();
         vec3<T> size = box.max - box.min;
         record_gradient(ray, c, outwards, norm1(size), rec);
+        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
         const auto place = [](T x, T low, T all) { return max(T(0), min(T(1), (x - low) / all)); };
         rec.uv = {place(rec.point.x, box.min.x, size.x), place(rec.point.y, box.min.y, size.y)};
     }

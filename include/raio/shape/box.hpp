@@ -73,28 +73,6 @@ struct box {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        using E = bound_t<X>;
-        vec3<X> size = difference_as<X>(max, min);
-        auto [p, p_error] = ray.seen_from(min);
-        vec3<X> to_high = size - p;
-        W d = component(ray.direction, c.face);
-        const mask_t<W> at_low = c.entering == (d > W(0));
-        X off = select(at_low, component(p, c.face), -component(to_high, c.face));
-        E error = p_error + E(4 * unit_roundoff<X>) * norm1(vec3<E>(size));
-        crossing<W> missing = newton_step(off, error, d, E(0));
-        // Where another slab ends as near, it may be its face.
-        E reach = E(2) * (error + c.error * norm1(vec3<E>(ray.direction)));
-        const auto apart = [&](unsigned axis, const E& from_low, const E& from_high) {
-            return some(c.face == index_t<W>(axis), every(from_low > reach, from_high > reach));
-        };
-        vec3<E> low(p), high(to_high);
-        missing.certain =
-            every(missing.certain, apart(0, low.x, high.x), apart(1, low.y, high.y), apart(2, low.z, high.z));
-        return missing;
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         record_point_between({min, max}, ray, c, rec);
@@ -180,8 +158,18 @@ private:
         const auto axis_of = [](const W& t, const W& t_x, const W& t_y) {
             return choose(t_x == t, index_t<W>(0), choose(t_y == t, index_t<W>(1), index_t<W>(2)));
         };
-        return {{exists, certain, near, near_error, exists, axis_of(near, x.x, y.x)},
-                {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y)}};
+        chord<W> c{{exists, certain, near, near_error, exists, axis_of(near, x.x, y.x)},
+                   {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y)}};
+        if constexpr (detail::keeps_all_digits<T>) {  // do two of the three end as near?
+            const auto two_of = [](const W& t, const E& error, const W& t_x, const W& t_y, const W& t_z) {
+                const auto is_near = [&](const W& other) { return abs(E(other - t)) <= E(2) * error; };
+                const mask_t<W> at_x = is_near(t_x), at_y = is_near(t_y), at_z = is_near(t_z);
+                return some(every(at_x, at_y), every(at_y, at_z), every(at_z, at_x));
+            };
+            c.near.shared = two_of(near, near_error, x.x, y.x, z.x);
+            c.far.shared = two_of(far, far_error, x.y, y.y, z.y);
+        }
+        return c;
     }
 };
 

@@ -62,12 +62,6 @@ struct capsule {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_round(low_end(), high_end(), ray, c,
-                                     [&] { return detail::correct_cylinder(base, top, radius, ray, c); });
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
@@ -79,6 +73,7 @@ struct capsule {
         vec3<Q> from_axis(select(along >= W(1), from_top, beside));
         vec3<N> outward(normalize(from_axis));
         record_point(ray, c, rec, radius);
+        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
         rec.normal = outward * select(c.entering, N(1), N(-1));
 
         const mask_t<T> is_long = T(axis2) > T(0);

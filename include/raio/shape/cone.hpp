@@ -45,11 +45,6 @@ struct cone {
         return as_frustum().template crossings<W>(ray);
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return as_frustum().correction(ray, c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         as_frustum().surface(ray, c, rec);
@@ -86,11 +81,6 @@ struct open_cone {
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         return as_frustum().template crossings<W>(ray);
-    }
-
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return as_frustum().correction(ray, c);
     }
 
     template <class W, real R, real N>

@@ -122,17 +122,6 @@ struct convex_polyhedron {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        using E = bound_t<X>;
-        const half_space<T> plane = plane_of(c.face);
-        auto [p, p_error] = ray.seen_from(vec3<T>(T(0)));
-        vec3<X> n(plane.normal);
-        X offset(plane.offset);
-        E size = norm1(vec3<E>(n)), rounding = E(8 * unit_roundoff<X>) * (size * norm1(vec3<E>(p)) + abs(E(offset)));
-        return cross_plane(vec3<W>(n), ray.direction, W(dot(n, p) + offset), size * p_error + rounding);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         const half_space<T> plane = plane_of(c.face);

@@ -47,17 +47,6 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     return unless(!is_apart, between(crosses, near, far), inside);
 }
 
-/// What is missing of a crossing: the side is that of revolution that keeps its distance from the axis.
-template <class X, class W, real T>
-RAIO_FN constexpr crossing<W> correct_cylinder(const vec3<T>& base, const vec3<T>& top, T radius,
-                                               const nearby_ray<X, W>& ray, const crossing<W>& c) {
-    return correct_axial(base, top, ray, c, [&] {
-        X r(radius), zero(0);
-        const revolved_quadric<X> side{difference_as<X>(top, base), X(1), r * r, zero, zero, zero, r};
-        return correct_quadric(side, ray.seen_from(base), ray.direction, c);
-    });
-}
-
 /// What both cylinders record.
 template <class W, real T, real R, real N>
 RAIO_FN constexpr void cylinder_surface(const vec3<T>& base, const vec3<T>& top, T radius, const ray<R>& ray,
@@ -119,11 +108,6 @@ struct cylinder {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_cylinder(base, top, radius, ray, c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::cylinder_surface(base, top, radius, ray, c, rec);
@@ -167,11 +151,6 @@ struct open_cylinder {
         if (missed(endless)) return endless;
         chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         return {detail::within(slab, endless.near), detail::within(slab, endless.far)};
-    }
-
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_cylinder(base, top, radius, ray, c);
     }
 
     template <class W, real R, real N>

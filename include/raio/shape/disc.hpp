@@ -44,11 +44,6 @@ struct disc {
         return crossing_at(exists, t, speed.value < W(0));
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return as_ring().correction(ray, c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         as_ring().surface(ray, c, rec);

@@ -50,15 +50,6 @@ struct ellipsoid {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        using E = bound_t<X>;
-        vec3<X> stretch = to_sphere<X>();
-        auto [place, error] = ray.seen_from(center);
-        nearby_point<X> at{stretch * place, norm1(vec3<E>(stretch)) * error};
-        return correct_sphere(at, vec3<W>(stretch) * ray.direction, X(radii.x) * stretch.x, c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;

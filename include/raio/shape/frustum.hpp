@@ -63,16 +63,6 @@ RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, 
                        norm1(vec3<bound_t<W>>(to_end)), vec3<W>(ray.direction));
 }
 
-/// What is missing of a crossing.
-template <class X, class W, real T>
-RAIO_FN constexpr crossing<W> correct_frustum(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
-                                              const nearby_ray<X, W>& ray, const crossing<W>& c) {
-    return correct_axial(base, top, ray, c, [&] {
-        const auto from_narrow_end = ray.seen_from(select(radii.y < radii.x, top, base));
-        return correct_quadric(nappes(widening_axis<X>(base, top, radii), radii), from_narrow_end, ray.direction, c);
-    });
-}
-
 /// What of a way out of a cone is not along the ray. That is the normal at an apex, where a cone has none, and close to
 /// it, where an error turns it: seen along the axis it looks like a plane, and a ray that only touches it comes from
 /// the side.
@@ -83,10 +73,10 @@ RAIO_FN constexpr vec3<W> turned_from(const vec3<W>& d, const mask_t<W>& enterin
     return outward - d * (forward / dot(d, d));
 }
 
-/// What both frusta record.
+/// What both frusta record, in the precision of W.
 template <class W, real T, real R, real N>
-RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, const ray<R>& ray,
-                                       const crossing<W>& c, hit_record<T, N>& rec) {
+RAIO_FN constexpr void record_frustum(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, const ray<R>& ray,
+                                      const crossing<W>& c, hit_record<T, N>& rec) {
     using E = bound_t<W>;
     vec3<W> axis = difference_as<W>(top, base), d(ray.direction);
     W axis2 = dot(axis, axis), r(radii.x), widening = W(radii.y) - r;
@@ -109,6 +99,26 @@ RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, 
     const T bend = max(radii.x, radii.y) + norm1(vec3<T>(axis));
     axial_surface(base, top, radii, bend, ray, c, rec, gradient);
     keep_in_bounds(ray, c, rec, [&] { return axial_bounds(base, top, radii); });
+}
+
+/// What both frusta record. Close to an apex a double has no digits to spare.
+template <class W, real T, real R, real N>
+RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, const ray<R>& ray,
+                                       const crossing<W>& c, hit_record<T, N>& rec) {
+    if constexpr (lacks_digits<T, W>) {
+        using E = bound_t<W>;
+        vec3<W> axis = difference_as<W>(top, base), from_base = seen_from(base, ray, c.t);
+        const E size = norm1(vec3<E>(axis)), room = E(0x1p-8) * (norm1(vec3<E>(from_base)) + size);
+        const mask_t<W> close = norm1(vec3<E>(cross(from_base, axis))) < room * size;
+        if (any(close)) [[unlikely]] {
+            hit_record<T, N> closer;
+            record_frustum(base, top, radii, ray, in_more_digits<exact_t<T>>(c), closer);
+            if (!all(close)) record_frustum(base, top, radii, ray, c, rec);
+            assign(mask_t<T>(close), rec, closer);
+            return;
+        }
+    }
+    record_frustum(base, top, radii, ray, c, rec);
 }
 
 /// The area of the side, and the point of it that `u` chooses: u.x turns about the axis, u.y is the area between the
@@ -189,11 +199,6 @@ struct frustum {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_frustum(base, top, radii(), ray, c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::frustum_surface(base, top, radii(), ray, c, rec);
@@ -237,11 +242,6 @@ struct open_frustum {
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
         keep_if_reachable<T>(ray, c);
         return c;
-    }
-
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_frustum(base, top, radii(), ray, c);
     }
 
     template <class W, real R, real N>

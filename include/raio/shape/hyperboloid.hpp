@@ -82,21 +82,6 @@ RAIO_FN constexpr chord<W> cross_side(const vec3<T>& base, const vec3<T>& top, c
     return c;
 }
 
-/// What is missing of a crossing.
-template <class X, class W, real T>
-RAIO_FN constexpr crossing<W> correct_hyperboloid(const vec3<T>& base, const vec3<T>& top,
-                                                  const hyperboloid_side<X>& side, const nearby_ray<X, W>& ray,
-                                                  const crossing<W>& c) {
-    return correct_axial(base, top, ray, c, [&] {
-        using E = bound_t<X>;
-        const revolved_quadric<X> quadric = endless_hyperboloid(base, top, side);
-        auto [from_base, error] = ray.seen_from(base);
-        vec3<X> to_center = quadric.axis * X(0.5), from_center = from_base - to_center;
-        error += E(4 * unit_roundoff<X>) * (norm1(vec3<E>(from_base)) + norm1(vec3<E>(to_center)));
-        return correct_quadric(quadric, nearby_point<X>{from_center, error}, ray.direction, c);
-    });
-}
-
 /// What all of them record.
 template <class W, real T, real R, real N>
 RAIO_FN constexpr void hyperboloid_surface(const vec3<T>& base, const vec3<T>& top, T end_radius,
@@ -190,11 +175,6 @@ struct hyperboloid {
         return detail::cross_capped(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray, wanted);
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_hyperboloid(base, top, detail::one_sheet<X>(waist_radius, end_radius), ray, c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::hyperboloid_surface(base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius), ray, c, rec);
@@ -233,11 +213,6 @@ struct open_hyperboloid {
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         return detail::cross_side(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
-    }
-
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_hyperboloid(base, top, detail::one_sheet<X>(waist_radius, end_radius), ray, c);
     }
 
     template <class W, real R, real N>

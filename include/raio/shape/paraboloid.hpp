@@ -35,15 +35,6 @@ RAIO_FN constexpr chord<W> cross_endless_paraboloid(const vec3<T>& vertex, const
         .ends;
 }
 
-/// What is missing of a crossing.
-template <class X, class W, real T>
-RAIO_FN constexpr crossing<W> correct_paraboloid(const vec3<T>& vertex, const vec3<T>& top, T radius,
-                                                 const nearby_ray<X, W>& ray, const crossing<W>& c) {
-    return correct_axial(vertex, top, ray, c, [&] {
-        return correct_quadric(endless_paraboloid<X>(vertex, top, radius), ray.seen_from(vertex), ray.direction, c);
-    });
-}
-
 /// Around the curve h axis + sqrt(h) reach, whose highest point is inside of the paraboloid's ends where the axis goes
 /// down steeply enough.
 template <real T>
@@ -137,11 +128,6 @@ struct paraboloid {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_paraboloid(vertex, top, radius, ray, c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::paraboloid_surface(vertex, top, radius, ray, c, rec);
@@ -182,11 +168,6 @@ struct open_paraboloid {
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
         keep_if_reachable<T>(ray, c);
         return c;
-    }
-
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_paraboloid(vertex, top, radius, ray, c);
     }
 
     template <class W, real R, real N>

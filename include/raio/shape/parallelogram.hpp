@@ -48,14 +48,10 @@ struct parallelogram {
         return cross_edges(line, corner, line.given(edge_u), line.given(edge_v), far, wanted);
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& at) const {
-        return correct_edges(corner, vec3<X>(edge_u), vec3<X>(edge_v), ray, at);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
-        record_flat(corners(), vec3<W>(edge_u), vec3<W>(edge_v), ray, at, rec);
+        const auto edge = [this]<class V>(const V&, int i) { return vec3<V>(i == 0 ? edge_u : edge_v); };
+        record_flat(corners(), edge, ray, at, rec);
         rec.uv = {max(T(0), min(T(1), T(at.u))), max(T(0), min(T(1), T(at.v)))};
     }
 

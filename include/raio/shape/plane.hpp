@@ -47,11 +47,6 @@ struct plane {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>&) const {
-        return correct_plane(vec3<X>(normal), point, ray);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));

@@ -71,21 +71,11 @@ struct quadric {
         }
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        const auto of_box = [&] {
-            crossing<W> on_box = c;
-            on_box.face = c.face - index_t<W>(1);
-            return box<T>{min, max}.correction(ray, on_box);
-        };
-        return find_where(
-            c.face == index_t<W>(0), [&] { return correction_of_surface(ray, c); }, of_box);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         const T size = norm1(max - min);
         record_gradient(ray, c, gradient(vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t), size, rec);
+        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
         rec.point = nearest_in(aabb<T>{min, max}, rec.point);
         vec3<T> place = (rec.point - min) / (max - min);
         rec.uv = {raio::min(T(1), place.x), raio::min(T(1), place.y)};
@@ -102,18 +92,6 @@ struct quadric {
     }
 
 private:
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction_of_surface(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        using E = bound_t<X>;
-        auto [p, off] = ray.seen_from(vec3<T>(T(0)));
-        vec3<W> steep = gradient(vec3<W>(p));
-        E far = norm1(vec3<E>(p)), speed = norm1(vec3<E>(ray.direction)), second = second_degree<X>();
-        E steepest = E(2) * second * far + norm1(vec3<E>(vec3<X>(linear)));
-        E value_error = steepest * off + second * off * off + E(32 * unit_roundoff<X>) * terms_within<X>(far);
-        E slope_error = E(2) * second * speed * (speed * c.error + off) + E(32 * unit_roundoff<W>) * steepest * speed;
-        return newton_step(value(p), value_error, dot(steep, ray.direction), slope_error);
-    }
-
     /// The matrix of the second degree times a vector.
     template <class W>
     RAIO_FN constexpr vec3<W> times(const vec3<W>& p) const {

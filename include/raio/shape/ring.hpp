@@ -87,15 +87,11 @@ struct ring {
         return crossing_at(exists, t, speed.value < W(0));
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>&) const {
-        return correct_plane(vec3<X>(normal), center, ray);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));
         record_point(ray, c, rec);
+        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
         put_onto_plane(normal, center, rec);
         rec.normal = outward * choose(c.entering, N(1), N(-1));
         vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - center);

@@ -76,14 +76,6 @@ struct round_cone {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_round(low_end(), high_end(), ray, c, [&] {
-            const round_cone s = narrow_first();
-            return correct_quadric(touching_cone<X>(s).surface, ray.seen_from(s.base), ray.direction, c);
-        });
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
@@ -97,6 +89,7 @@ struct round_cone {
         vec3<W> beside = from_base - axis * max(W(0), which);
         vec3<N> outward(normalize(vec3<Q>(select(which >= W(1), from_top, beside))));
         record_point(ray, c, rec, max(base_radius, top_radius));
+        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
         rec.normal = outward * select(c.entering, N(1), N(-1));
 
         vec3<T> up(normalize(select(axis2 > W(0), vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1)))));

@@ -47,17 +47,13 @@ struct sphere {
         return cross_sphere_about<W>(center, radius, ray);
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return correct_sphere(ray.seen_from(center), ray.direction, X(radius), c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;
         vec3<W> from_center = seen_from(center, ray, c.t);
         vec3<N> outward(normalize_from<T>(vec3<Q>(from_center)));
         record_point(ray, c, rec, radius);
+        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
         rec.normal = outward * select(c.entering, N(1), N(-1));
         // Angles do not ask for unit length: they need not wait for the root.
         vec3<T> scaled(vec3<Q>(from_center) * (Q(1) / Q(radius)));

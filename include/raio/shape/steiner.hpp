@@ -60,12 +60,6 @@ struct steiner {
         return open_crossings(along(part.point()), part, everywhere<W>(), part.roots_for(wanted), belongs);
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return correct_algebraic(ray.seen_from(center), ray.direction, c,
-                                 [this](const auto& point) { return this->along(point); });
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         vec3<W> from_center = seen_from(center, ray, c.t);

@@ -55,19 +55,17 @@ struct revolved_piece<T, 1> {
         return c;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        using E = bound_t<X>;
-        auto [place, error] = ray.seen_from(base);
-        vec3<X> on_axis = product_as<X>(axis, narrow_end().y);
-        error += E(4 * unit_roundoff<X>) * (norm1(vec3<E>(place)) + norm1(vec3<E>(on_axis)));
-        nearby_point<X> at{place - on_axis, error};
-        if (is_flat()) return correct_plane(vec3<X>(axis), at, ray.direction);
-        return correct_quadric(cone<X>(), at, ray.direction, c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
+        if constexpr (lacks_digits<T, W>) {  // close to a tip a double has no digits to spare
+            using E = bound_t<W>;
+            const vec3<W> from_base = raio::seen_from(base, ray, c.t), a(axis);
+            const E size = norm1(vec3<E>(a)),
+                    reach = norm1(vec3<E>(from_base)) + size * max(abs(E(W(from.y))), abs(E(W(to.y))));
+            if (norm1(vec3<E>(cross(from_base, a))) < E(0x1p-8) * size * reach) {
+                return surface(ray, in_more_digits<exact_t<T>>(c), rec);
+            }
+        }
         const raio::ray<W> moved{difference_as<W>(ray.origin, base), vec3<W>(ray.direction)};
         const vec3<W> zero(W(0));
         hit_record<W, N> local;

@@ -59,12 +59,6 @@ struct teardrop {
         return open_crossings(along(part.point()), part, everywhere<W>(), part.roots_for(wanted));
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return correct_algebraic(ray.seen_from(bottom), ray.direction, c,
-                                 [this](const auto& point) { return this->along(point); });
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;

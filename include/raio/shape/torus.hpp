@@ -125,21 +125,6 @@ struct torus {
         return list;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        using E = bound_t<X>;
-        auto [place, place_error] = ray.seen_from(center);
-        vec3<W> p(place), d = ray.direction, a(axis);
-        W a2 = dot(a, a), major2 = W(major_radius) * W(major_radius), minor2 = W(minor_radius) * W(minor_radius);
-        vec3<W> gradient = p * (W(4) * a2 * ((dot(p, p) - major2) - minor2)) + a * (W(8) * major2 * dot(p, a));
-        // With s = |p| + R + r all along the step, A.A times at most 24 s^3 is the gradient of f and 24 s^2 its rate.
-        E speed = norm1(vec3<E>(d)), step = speed * c.error;
-        E size = norm1(vec3<E>(p)) + step + E(major_radius) + E(minor_radius), scale = E(a2) * size * size;
-        E value_error = E(24) * scale * size * (place_error + E(8 * unit_roundoff<X>) * size);
-        E slope_error = E(24) * scale * speed * (step + E(8 * unit_roundoff<W>) * size);
-        return newton_step(level(place), value_error, dot(gradient, d), slope_error);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         using Q = working_t<N>;

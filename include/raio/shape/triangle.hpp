@@ -50,15 +50,10 @@ struct triangle {
         return cross_edges(line, a, line.between(a, b), line.between(a, c), far, wanted);
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& at) const {
-        return correct_edges(a, difference_as<X>(b, a), difference_as<X>(c, a), ray, at);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
-        vec3<W> e1 = difference_as<W>(b, a), e2 = difference_as<W>(c, a);
-        record_flat(corners(), e1, e2, ray, at, rec);
+        const auto edge = [this]<class V>(const V&, int i) { return difference_as<V>(i == 0 ? b : c, a); };
+        record_flat(corners(), edge, ray, at, rec);
         const T u = max(T(0), min(T(1), T(at.u)));
         rec.uv = {u, max(T(0), min(T(1) - u, T(at.v)))};
     }

@@ -61,11 +61,6 @@ struct two_sheet_hyperboloid {
         return detail::cross_capped(base, top, detail::two_sheets<W>(gap, end_radius), ray, wanted);
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_hyperboloid(base, top, detail::two_sheets<X>(gap, end_radius), ray, c);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
         detail::hyperboloid_surface(base, top, end_radius, detail::two_sheets<W>(gap, end_radius), ray, c, rec);
@@ -103,11 +98,6 @@ struct open_two_sheet_hyperboloid {
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         return detail::cross_side(base, top, detail::two_sheets<W>(gap, end_radius), ray);
-    }
-
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& c) const {
-        return detail::correct_hyperboloid(base, top, detail::two_sheets<X>(gap, end_radius), ray, c);
     }
 
     template <class W, real R, real N>

@@ -76,11 +76,6 @@ struct watertight_triangle {
         return at;
     }
 
-    template <class X, class W>
-    RAIO_FN constexpr crossing<W> correction(const nearby_ray<X, W>& ray, const crossing<W>& at) const {
-        return as_triangle().correction(ray, at);
-    }
-
     template <class W, real R, real N>
     RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
         as_triangle().surface(ray, at, rec);
