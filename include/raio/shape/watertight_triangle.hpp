@@ -66,10 +66,10 @@ struct watertight_triangle {
         if (may_leave<W>(!inside.possibly)) return missed_for_sure<W>();
 
         // The plane of the corners says the same, and keeps more digits where a ray starts near it.
-        const auto n = [&] { return cross(line.between(a, c), line.between(a, b)); };
-        const auto speed = closer(det * z_of(d), [&] { return dot(n(), line.direction()); });
+        const auto e1 = line.between(a, b), e2 = line.between(a, c);
+        const auto speed = closer(det * z_of(d), [&] { return determinant(line.direction(), e2, e1); });
         const auto height =
-            closer(dot(sides, vector_of(z_of(p), z_of(q), z_of(r))), [&] { return dot(n(), line.to(a)); });
+            closer(dot(sides, vector_of(z_of(p), z_of(q), z_of(r))), [&] { return determinant(line.to(a), e2, e1); });
         crossing<W> at = crossing_at(every(inside, is_not_zero(speed)), height / speed, speed.value > W(0));
         const W over_det = d.z * inverse(speed).value;
         at.u = v.value * over_det, at.v = w.value * over_det;
