@@ -108,9 +108,9 @@ RAIO_FN constexpr crossing<W> cross_edges(const line<W, R>& line, const vec3<T>&
     } else {
         const auto d = line.direction();
         const auto s = line.from(corner);
-        const auto p = cross(d, e2), q = cross(s, e1);
-        const auto det = dot(e1, p), size = abs(det);
-        const auto u = flip(dot(s, p), det), v = flip(dot(d, q), det), way = flip(dot(e2, q), det);
+        const auto det = determinant(e1, d, e2), size = abs(det);
+        const auto u = flip(determinant(s, d, e2), det), v = flip(determinant(d, s, e1), det);
+        const auto way = flip(determinant(e2, s, e1), det);
         const auto exists = every(is_not_zero(det), is_not_negative(u, size), is_not_negative(v, size),
                                   is_not_negative(size - far(u, v), size));
         const auto over_size = inverse(size), t = way * over_size, u1 = u * over_size, v1 = v * over_size;

@@ -121,6 +121,18 @@ RAIO_FN constexpr auto cross(const A& a, const B& b) {
                              detail::sum_of_products(a.x, b.y, -a.y, b.x), detail::error_of_product(2, a, b)};
 }
 
+/// a.(b x c). Its bound counts only the terms that there are: a sliver along an axis has all its digits.
+template <class W, int K, int L, int M>
+RAIO_FN constexpr bounded_number<W> determinant(const rounded_vector<W, K>& a, const rounded_vector<W, L>& b,
+                                                const rounded_vector<W, M>& c) {
+    using E = bound_t<W>;
+    const auto [x, y, z, error] = cross(b, c);
+    const auto terms = [](const W& p, const W& q, const W& r, const W& s) { return abs(E(p * q)) + abs(E(r * s)); };
+    E size = abs(E(a.x)) * terms(b.y, c.z, b.z, c.y) + abs(E(a.y)) * terms(b.z, c.x, b.x, c.z) +
+             abs(E(a.z)) * terms(b.x, c.y, b.y, c.x);
+    return {detail::sum_of_products(a.x, x, a.y, y, a.z, z), detail::roundings<W>(K + L + M + 5, size)};
+}
+
 /// The last component.
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, K> z_of(const rounded_vector<W, K>& v) {

@@ -44,8 +44,9 @@ struct watertight_triangle {
     template <class W, real R>
     RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
         // A rotation of the coordinates that makes the largest component of the direction the last one.
-        const R x = abs(line.ray.direction.x), y = abs(line.ray.direction.y), z = abs(line.ray.direction.z);
-        const mask_t<R> last_is_x = x > y && x > z, last_is_y = !last_is_x && y > z;
+        const vec3<R> along_axes = abs(line.ray.direction);
+        const mask_t<R> last_is_x = along_axes.x > along_axes.y && along_axes.x > along_axes.z;
+        const mask_t<R> last_is_y = !last_is_x && along_axes.y > along_axes.z;
         const auto turned = [&]<real N>(const vec3<N>& v) {
             return vec3<N>(select(last_is_x, v.y, select(last_is_y, v.z, v.x)),
                            select(last_is_x, v.z, select(last_is_y, v.x, v.y)),
@@ -54,22 +55,30 @@ struct watertight_triangle {
         const raio::ray<R> turned_ray{turned(line.ray.origin), turned(line.ray.direction)};
         const raio::line<W, R> along{turned_ray};
         const auto d = along.direction();
-        const auto slope = d * inverse(z_of(d));
+        const auto over_z = inverse(z_of(d));
+        const auto slope = d * over_z;
         const auto sheared = [&](const vec3<T>& corner) { return shear(along.to(turned(corner)), slope); };
         const auto p = sheared(a), q = sheared(b), r = sheared(c);
-        const auto u = cross_z(r, q), v = cross_z(p, r), w = cross_z(q, p);
+        // Where the shear leaves too few digits, the volumes between edges and ray say the same.
+        const auto volume = [&](const auto& first, const auto& second) {
+            return determinant(line.direction(), first, second) * over_z;
+        };
+        const auto side = [&](const auto& of_shear, const vec3<T>& from, const vec3<T>& to) {
+            return closer(of_shear, [&] { return volume(line.to(from), line.to(to)); });
+        };
+        const auto u = side(cross_z(r, q), c, b), v = side(cross_z(p, r), a, c), w = side(cross_z(q, p), b, a);
         const auto sides = vector_of(u, v, w);
-        const auto det = sum_of(sides);
-        const auto left = [&](const auto& side) { return is_not_negative(side, det); };
-        const auto right = [&](const auto& side) { return is_not_positive(side, det); };
+        const auto e1 = line.between(a, b), e2 = line.between(a, c);
+        const auto det = closer(sum_of(sides), [&] { return volume(e2, e1); });
+
+        const auto left = [&](const auto& x) { return is_not_negative(x, det); };
+        const auto right = [&](const auto& x) { return is_not_positive(x, det); };
         const auto inside = some(every(left(u), left(v), left(w)), every(right(u), right(v), right(w)));
         if (may_leave<W>(!inside.possibly)) return missed_for_sure<W>();
 
-        // The plane of the corners says the same, and keeps more digits where a ray starts near it.
-        const auto n = [&] { return cross(line.between(a, c), line.between(a, b)); };
-        const auto speed = closer(det * z_of(d), [&] { return dot(n(), line.direction()); });
+        const auto speed = det * z_of(d);
         const auto height =
-            closer(dot(sides, vector_of(z_of(p), z_of(q), z_of(r))), [&] { return dot(n(), line.to(a)); });
+            closer(dot(sides, vector_of(z_of(p), z_of(q), z_of(r))), [&] { return determinant(line.to(a), e2, e1); });
         crossing<W> at = crossing_at(every(inside, is_not_zero(speed)), height / speed, speed.value > W(0));
         const W over_det = d.z * inverse(speed).value;
         at.u = v.value * over_det, at.v = w.value * over_det;
