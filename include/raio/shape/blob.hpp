@@ -79,16 +79,16 @@ struct blob {
         const aabb<T> box = bounds();
         if (!is_sound() || !(box.min.x < box.max.x)) return list;
         const vec3<T> base = box.min + (box.max - box.min) / T(2);
-        const auto part = part_near(ray, base, vec3<W>(base), length(vec3<W>(box.max) - vec3<W>(box.min)) * W(0.5));
-        list.certain = part.certain;
-        if (!part.exists) return list;
+        const vec3<W> size = vec3<W>(box.max) - vec3<W>(box.min);
+        const auto part = part_near(line<W, R>{ray}, base, vec3<W>(base), W(length(size) * W(0.5)));
+        if (!list.holds(part.is_there())) return list;
 
         std::array<piece<W>, 3 * Most> pieces;
         std::array<W, 6 * Most> ends;
         std::size_t count = 0, end_count = 0;
         for (const metaball<T>& m : components) {
             if (!has_effect(m)) continue;
-            for_each_piece(m, part, vec3<W>(base), [&](const piece<W>& p) {
+            for_each_piece(m, part, base, [&](const piece<W>& p) {
                 if (!(p.from < p.to)) return;
                 pieces[count++] = p;
                 insert(ends, end_count, p.from);
@@ -170,54 +170,40 @@ private:
         return W(1) - dot(v, v);
     }
 
+    /// The pieces of one component: with p as seen from its centre, and from the other end of its axis, the depth is
+    /// 1 - p.p / radius^2 in the two balls, and between them 1 - |p x axis|^2 / (axis.axis radius^2).
     template <class W, class Visit>
-    RAIO_FN static constexpr void for_each_piece(const metaball<T>& m, const line_part<W>& part, const vec3<W>& base,
+    RAIO_FN static constexpr void for_each_piece(const metaball<T>& m, const line_part<W>& part, const vec3<T>& base,
                                                  Visit visit) {
-        vec3<W> axis(m.axis), to_base = base - vec3<W>(m.center);
-        const auto over_radius = constant(W(1) / W(m.radius), 2);
-        const auto coordinates = [&](const vec3<W>& shift) {
-            std::array<polynomial<W, 1>, 3> p;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const auto k = static_cast<glm::length_t>(i);
-                p[i] = part.coordinate(k) + product<1>(polynomial<W, 1>{{W(1)}}, constant(shift[k], 4));
-                p[i] = product<1>(p[i], over_radius);
-            }
-            return p;
+        using numbers = line<W>;
+        const auto one = numbers::given(T(1)), over_radius = inverse(numbers::given(m.radius));
+        const auto axis = numbers::given(m.axis), axis2 = square(axis);
+        const auto p = part.point() + numbers::between(m.center, base);
+        const auto visit_ball = [&](const polynomial_vector<W, 1>& from_center, const W& from, const W& to) {
+            visit(between(one - square(from_center * over_radius), m.strength, from, to));
         };
-        const auto ball = [&](const vec3<W>& shift, const W& from, const W& to) {
-            polynomial<W, 2> depth{{W(1)}};
-            for (const polynomial<W, 1>& x : coordinates(shift)) depth = depth - product<2>(x, x);
-            visit(between(depth, W(m.strength), from, to));
-        };
-        const W end = W(2) * part.reach, axis2 = dot(axis, axis);
-        if (!(axis2 > W(0))) return ball(to_base, -end, end);
+        const W end = W(2) * part.reach;
+        if (!is_positive(axis2).yes) return visit_ball(p, -end, end);
 
         // Where the line is at the height of the centre and of the other end.
-        W start = dot(part.from + to_base, axis), rise = dot(part.along, axis);
-        const auto place = [&](const W& height) {
-            return max(-end, min(end, quotient(height - start, rise, height > start ? end : -end)));
+        const auto height = dot(p, axis);
+        const W start = height.coefficient[0], rise = height.coefficient[1];
+        const auto place = [&](const W& h) {
+            return max(-end, min(end, quotient(h - start, rise, h > start ? end : -end)));
         };
-        const W low = place(W(0)), high = place(axis2);
+        const W low = place(W(0)), high = place(axis2.value);
         const bool falls = rise < W(0);
-        if (falls ? low < end : -end < low) ball(to_base, falls ? low : -end, falls ? end : low);
-        if (falls ? -end < high : high < end) ball(to_base - axis, falls ? -end : high, falls ? high : end);
+        if (falls ? low < end : -end < low) visit_ball(p, falls ? low : -end, falls ? end : low);
+        if (falls ? -end < high : high < end) visit_ball(p - axis, falls ? -end : high, falls ? high : end);
         if (low == high) return;
-        const auto p = coordinates(to_base);
-        const auto over_size = constant(W(1) / sqrt(axis2), 6);
-        polynomial<W, 2> depth{{W(1)}};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            const auto along = [&](std::size_t n) { return constant(axis[static_cast<glm::length_t>(n)]); };
-            const auto moment = product<1>(product<1>(p[j], along(k)) - product<1>(p[k], along(j)), over_size);
-            depth = depth - product<2>(moment, moment);
-        }
-        visit(between(depth, W(m.strength), min(low, high), max(low, high)));
+        const auto from_axis = cross(p, axis) * inverse(sqrt(axis2));
+        visit(between(one - square(from_axis * over_radius), m.strength, min(low, high), max(low, high)));
     }
 
-    /// Where the depth, which has its greatest value somewhere, is above zero between two places. How far these ends
-    /// are off makes the depth there no more wrong than its coefficients are, and the field the square of that.
+    /// Where the depth, which has its greatest value somewhere, is above zero between two places. Whatever these ends
+    /// were rounded to, the depth there is as good as zero, and the field is its square.
     template <class W>
-    RAIO_FN static constexpr piece<W> between(const polynomial<W, 2>& depth, const W& strength, const W& from,
+    RAIO_FN static constexpr piece<W> between(const polynomial<W, 2>& depth, const T& strength, const W& from,
                                               const W& to) {
         const auto& c = depth.coefficient;
         W low = from, high = to;
@@ -228,7 +214,7 @@ private:
         } else if (!(c[0] > W(0))) {
             high = low;
         }
-        return {low, high, product<4>(product<4>(depth, depth), constant(strength))};
+        return {low, high, raio::square(depth) * line<W>::given(strength)};
     }
 
     /// Into a list in order.
