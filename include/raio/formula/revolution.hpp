@@ -160,7 +160,7 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
         const auto s = root.place();
         const auto insert = [&](const bounded_number<W>& x) {
             const vec3<W> outward = outward_normal(curve, s.value, part.from + part.along * x.value);
-            list.insert(part.at(root_at(x), dot(part.along, outward) <= W(0)), s);
+            list.insert(located(part.at(root_at(x), dot(part.along, outward) <= W(0)), s));
         };
         const auto by_height = g(s) / slant;
         const auto beyond = gap(s);

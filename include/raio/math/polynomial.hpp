@@ -195,7 +195,15 @@ RAIO_FN constexpr polynomial<W, N> operator-(const A& a, const polynomial<W, N>&
 }
 template <real W, std::size_t N, proven_number A>
 RAIO_FN constexpr polynomial<W, N> operator*(const polynomial<W, N>& p, const A& a) {
-    return product<N>(p, polynomial_of(a));
+    using E = bound_t<W>;
+    const bounded_number<W> factor = a;
+    const E size = size_of(factor), most = size + factor.error, less = factor.error + E(2 * unit_roundoff<W>) * size;
+    polynomial<W, N> scaled;
+    for (std::size_t k = 0; k <= N; ++k) {
+        scaled.coefficient[k] = p.coefficient[k] * factor.value;
+        scaled.error[k] = p.error[k] * most + abs(E(p.coefficient[k])) * less;
+    }
+    return scaled;
 }
 
 /// A vector whose components are polynomials: with those of degree 1, a point on its way along a line.

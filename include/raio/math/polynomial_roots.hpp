@@ -108,4 +108,55 @@ RAIO_FN constexpr polynomial_roots<W, N> known_roots_between(const polynomial<W,
     return roots;
 }
 
+/// From one place to another. What is not known of an end counts: the stretch is as long as it may be.
+template <real W>
+struct stretch {
+    bounded_number<W> from, to;
+
+    /// Can its ends not be told apart?
+    RAIO_FN constexpr bool may_be_point() const {
+        return bound_t<W>(to.value - from.value) <= max(from.error, to.error);
+    }
+    /// The place of that point: the end that is known best. An end of the interval is known exactly.
+    RAIO_FN constexpr bounded_number<W> point() const {
+        const W length = to.value - from.value, middle = from.value + length * W(0.5);
+        const W best = from.error < to.error ? from.value : to.error < from.error ? to.value : middle;
+        return {best, bound_t<W>(length)};
+    }
+};
+
+/// Where a polynomial is not above zero, in an interval.
+template <real W, std::size_t N>
+struct stretches {
+    std::array<stretch<W>, N + 1> places{};  ///< what is beyond `count` has no value
+    std::size_t count = 0;
+    bool certain = true;  ///< are these all, and is each of them one, whatever the rounding errors were?
+
+    RAIO_FN constexpr const stretch<W>* begin() const { return places.data(); }
+    RAIO_FN constexpr const stretch<W>* end() const { return places.data() + count; }
+};
+
+template <real W, std::size_t N>
+RAIO_FN constexpr stretches<W, N> stretches_below_zero(const polynomial<W, N>& p, const W& low, const W& high) {
+    using E = bound_t<W>;
+    const polynomial_roots<W, N> roots = roots_between(p, low, high);
+    stretches<W, N> found;
+    found.certain = roots.certain;
+    // Out of range there is none.
+    const bool begins_below = roots.count == 0 ? p(low) <= W(0) : roots.begin()->before <= 0;
+    bool within = begins_below && is_finite(p.noise()(max(E(abs(low)), E(abs(high)))));
+    const auto add = [&](const bounded_number<W>& from, const bounded_number<W>& to) {
+        found.places[found.count++] = {from, to};
+    };
+    bounded_number<W> from(low, E(0));
+    for (const polynomial_root<W>& root : roots) {
+        const bool goes_on = root.after <= 0;
+        if (!within) from = {max(low, root.t - W(root.error)), E(2) * root.error};
+        if (!goes_on) add(from, {min(high, root.t + W(root.error)), E(2) * root.error});
+        within = goes_on;
+    }
+    if (within) add(from, {high, E(0)});
+    return found;
+}
+
 }  // namespace raio

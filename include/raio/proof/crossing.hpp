@@ -214,6 +214,13 @@ RAIO_FN constexpr void keep_if_one_point(crossing<W>& c, const bounded_vector<W>
     if constexpr (last_precision<W>) c.exists = every(c.exists, size_of(apart) <= bound_t<W>(0x1p-30) * size);
 }
 
+/// The same crossing, and where it is on the surface: u is the place, and v how far that may be off.
+template <class W>
+RAIO_FN constexpr crossing<W> located(crossing<W> c, const bounded_number<W>& place) {
+    c.u = place.value, c.v = W(place.error);
+    return c;
+}
+
 /// The point at t, as seen from another.
 template <class W, real R, real T>
 RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, const W& t) {

@@ -10,6 +10,19 @@
 
 namespace raio {
 
+/// The chords of one line through parts of a solid, in the order in which it enters them.
+template <class W, std::size_t N>
+struct chord_list {
+    std::array<chord<W>, N> chords{};  ///< what is beyond `count` has no value
+    std::size_t count = 0;
+
+    RAIO_FN constexpr void insert(const chord<W>& c) {
+        std::size_t i = count++;
+        for (; i > 0 && c.near.t < chords[i - 1].near.t; --i) chords[i] = chords[i - 1];
+        chords[i] = c;
+    }
+};
+
 /// The crossings of one line with a surface, in order. All that are listed exist in the precision of W.
 template <class W, std::size_t N>
 struct crossing_list {
@@ -90,12 +103,34 @@ struct crossing_list {
         if (root.is_touched() && count < N) put(crossings[count++], !entering);
     }
 
-    /// Puts a crossing where its t belongs. u is the place on the surface, and v how far that may be off.
-    RAIO_FN constexpr void insert(crossing<W> c, const bounded_number<W>& place) {
-        c.u = place.value, c.v = W(place.error);
+    /// Puts a crossing where its t belongs.
+    RAIO_FN constexpr void insert(const crossing<W>& c) {
         std::size_t i = count++;
         for (; i > 0 && c.t < crossings[i - 1].t; --i) crossings[i] = crossings[i - 1];
         crossings[i] = c;
+    }
+
+    /// Takes over the crossings of a solid in parts, which may overlap. What cannot be told from touching does.
+    /// \param beyond  of parts that may be shorter than they are found: what is farther away than that from t = 0 does
+    ///                not start on them
+    template <std::size_t M>
+    RAIO_FN constexpr void append(const chord_list<W, M>& parts, const W& beyond) {
+        for (std::size_t i = 0; i < parts.count;) {
+            chord<W> both = parts.chords[i];
+            for (++i; i < parts.count; ++i) {
+                const chord<W>& next = parts.chords[i];
+                const auto apart =
+                    bounded_number<W>(next.near.t, next.near.error) > bounded_number<W>(both.far.t, both.far.error);
+                depends_on(apart);
+                if (has_closer_look<W> ? apart.possibly : apart.yes) break;
+                both = unite(both, next);
+            }
+            if (max(both.near.t, -both.far.t) < beyond) {
+                raio::start_at_origin(both.near, true);
+                raio::start_at_origin(both.far, true);
+            }
+            append(both);
+        }
     }
 
     /// Takes over a crossing, if there is one.

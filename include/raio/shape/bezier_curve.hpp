@@ -55,51 +55,16 @@ struct bezier_curve {
         const aabb<T> box = around_controls();
         vec3<W> low(box.min), high(box.max);
         const W size = length(high - low) * W(0.5);
-        crossing_list<W, 14> list;
-        if (!is_sound()) return list;
+        if (!is_sound()) return {};
         const auto part = part_near(ray, p0, low + (high - low) * W(0.5), size);
-        list.certain = part.certain;
-        if (!part.exists) return list;
+        if (!part.exists) return crossing_list<W, 14>(part.certain);
 
-        const detail::sweep<W> swept = sweep_along(part, W(1) / size);
-        const auto [roots, begins_inside] = find_roots(swept.beyond, W(0), W(1));
-        list.certain = roots.certain;
-        std::array<chord<W>, 7> chords{};
-        std::size_t count = 0;
-        const auto add = [&](const detail::end_of_stretch<W>& from, const detail::end_of_stretch<W>& to) {
-            // In order of where the line enters.
-            chord<W> next = swept.extent(part, from, to);
-            std::size_t i = count++;
-            for (; i > 0 && next.near.t < chords[i - 1].near.t; --i) chords[i] = chords[i - 1];
-            chords[i] = next;
-        };
-        detail::end_of_stretch<W> from{W(0), bound_t<W>(0)};
-        bool within = begins_inside;
-        for (const polynomial_root<W>& root : roots) {
-            const bool goes_on = root.after <= 0;
-            if (!within) from = {max(W(0), root.t - W(root.error)), root.error};
-            if (!goes_on) add(from, {min(W(1), root.t + W(root.error)), root.error});
-            within = goes_on;
-        }
-        if (within) add(from, {W(1), bound_t<W>(0)});
-
-        for (std::size_t i = 0; i < count;) {
-            chord<W> both = chords[i];
-            for (++i; i < count; ++i) {
-                const bound_t<W> gap(chords[i].near.t - both.far.t), slack = chords[i].near.error + both.far.error;
-                list.certain = list.certain && (gap > slack || gap < -slack);
-                if (gap > tie<W>(slack)) break;
-                both = unite(both, chords[i]);
-            }
-            // A stretch is as long as it may be: what is beyond its ends, by a millionth of the size, does not start on
-            // it, however little is known of where in there it is met.
-            const W beyond = part.half * W(0x1p-20);
-            if (max(both.near.t, -both.far.t) < beyond) {
-                start_at_origin(both.near, true);
-                start_at_origin(both.far, true);
-            }
-            list.append(both);
-        }
+        const detail::sweep<W> swept = sweep_along(part, {W(1) / size});
+        const auto stretches = stretches_below_zero(swept.minus_s.value, W(0), W(1));
+        chord_list<W, 7> inside;
+        for (const stretch<W>& where : stretches) inside.insert(swept.extent(part, where));
+        crossing_list<W, 14> list(stretches.certain);
+        list.append(inside, part.half * W(0x1p-20));
         return list;
     }
 
@@ -199,32 +164,16 @@ private:
         return bezier_polynomial<W>(r0, r1, r2, r3);
     }
 
-    /// \param over_size  1 over the unit of length
+    /// \param unit  1 over the unit of length
     template <class W>
-    RAIO_FN constexpr detail::sweep<W> sweep_along(const line_part<W>& part, const W& over_size) const {
-        const auto unit = constant(over_size, 2);
-        std::array<polynomial<W, 3>, 3> to_center;
-        std::array<polynomial<W, 0>, 3> along;
-        polynomial<W, 0> a;
-        polynomial<W, 3> b;
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            const auto i = static_cast<std::size_t>(axis);
-            const polynomial<W, 1> from = part.coordinate(axis);
-            polynomial<W, 3> center = coordinate<W>(axis);
-            center.coefficient[0] = -from.coefficient[0], center.error[0] = from.error[0];
-            to_center[i] = product<3>(center, unit);
-            along[i] = product<0>(polynomial<W, 0>{{from.coefficient[1]}, {from.error[1]}}, unit);
-            a = a + product<0>(along[i], along[i]);
-            b = b + product<3>(to_center[i], along[i]);
-        }
-        const auto radius = product<3>(radii<W>(), unit);
-        polynomial<W, 6> beyond = -product<6>(product<6>(radius, radius), a);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            const auto moment = product<3>(to_center[j], along[k]) - product<3>(to_center[k], along[j]);
-            beyond = beyond + product<6>(moment, moment);
-        }
-        return {a.coefficient[0], b, beyond};
+    RAIO_FN constexpr detail::sweep<W> sweep_along(const line_part<W>& part, const given_number<W>& unit) const {
+        const polynomial_vector<W, 1> p = part.point();
+        const polynomial_vector<W, 3> center{coordinate<W>(0), coordinate<W>(1), coordinate<W>(2)};
+        const polynomial_vector<W, 3> to_center{(center[0] - p[0][0]) * unit, (center[1] - p[1][0]) * unit,
+                                                (center[2] - p[2][0]) * unit};
+        const auto d = rounded_vector<W, 2>{part.along.x, part.along.y, part.along.z} * unit;
+        const auto d2 = square(d);
+        return {d2, {dot(to_center, d)}, {square(cross(to_center, d)) - square(radii<W>() * unit) * d2}};
     }
 };
 
