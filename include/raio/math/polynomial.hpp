@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
 #include <raio/number/bounded_vector.hpp>
 
@@ -9,6 +11,17 @@
 /// Polynomials, their sums and products, the errors of their coefficients carried along; and vectors of them.
 
 namespace raio {
+
+namespace detail {
+
+/// Calls f with 0, 1, ..., Count - 1 as constants: GCC keeps in memory what a loop goes through.
+template <std::size_t Count, class F>
+[[gnu::always_inline]] RAIO_FN constexpr void for_each_index(F f) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (f(std::integral_constant<std::size_t, I>()), ...); }
+    (std::make_index_sequence<Count>());
+}
+
+}  // namespace detail
 
 /// coefficient[0] + coefficient[1] t + ... + coefficient[N] t^N. Any coefficient may be zero, the last one as well.
 template <real W, std::size_t N>
@@ -97,12 +110,12 @@ RAIO_FN constexpr polynomial<W, (N < M ? M : N)> operator+(const polynomial<W, N
         return b + a;
     } else {
         polynomial<W, N> sum = a;
-        for (std::size_t k = 0; k <= M; ++k) {
+        detail::for_each_index<M + 1>([&](auto k) {
             sum.coefficient[k] = a.coefficient[k] + b.coefficient[k];
             // Twice the roundoff: that of a sum of two doubles is of the size of its operands.
             E size = max(abs(E(a.coefficient[k])), abs(E(b.coefficient[k])));
             sum.error[k] = a.error[k] + b.error[k] + E(2 * unit_roundoff<W>) * size;
-        }
+        });
         return sum;
     }
 }
@@ -110,7 +123,7 @@ RAIO_FN constexpr polynomial<W, (N < M ? M : N)> operator+(const polynomial<W, N
 template <real W, std::size_t N>
 RAIO_FN constexpr polynomial<W, N> operator-(const polynomial<W, N>& a) {
     polynomial<W, N> minus = a;
-    for (W& c : minus.coefficient) c = -c;
+    detail::for_each_index<N + 1>([&](auto k) { minus.coefficient[k] = -a.coefficient[k]; });
     return minus;
 }
 template <real W, std::size_t N, std::size_t M>
@@ -141,15 +154,28 @@ template <std::size_t K, real W, std::size_t N, std::size_t M>
 RAIO_FN constexpr polynomial<W, K> product(const polynomial<W, N>& a, const polynomial<W, M>& b) {
     using E = bound_t<W>;
     // Each term is rounded itself, and once more with each that is added; sums may double that (see above).
-    E rounding((2 + 2 * (N < M ? N : M)) * unit_roundoff<W>);
+    const E rounding((2 + 2 * (N < M ? N : M)) * unit_roundoff<W>);
     polynomial<W, K> p;
-    for (std::size_t i = 0; i <= N && i <= K; ++i) {
-        E size = abs(E(a.coefficient[i])), error = a.error[i];
-        if (size == E(0) && error == E(0)) continue;
-        for (std::size_t j = 0; j <= M && i + j <= K; ++j) {
-            E other = abs(E(b.coefficient[j])), other_error = b.error[j];
-            p.coefficient[i + j] += a.coefficient[i] * b.coefficient[j];
-            p.error[i + j] += error * (other + other_error) + size * (other_error + rounding * other);
+    if constexpr (N + M <= 4 && K <= 4) {
+        detail::for_each_index<N + 1>([&](auto i) {
+            E size = abs(E(a.coefficient[i])), error = a.error[i];
+            detail::for_each_index<M + 1>([&](auto j) {
+                if constexpr (i + j <= K) {
+                    E other = abs(E(b.coefficient[j])), other_error = b.error[j];
+                    p.coefficient[i + j] += a.coefficient[i] * b.coefficient[j];
+                    p.error[i + j] += error * (other + other_error) + size * (other_error + rounding * other);
+                }
+            });
+        });
+    } else {
+        for (std::size_t i = 0; i <= N && i <= K; ++i) {
+            E size = abs(E(a.coefficient[i])), error = a.error[i];
+            if (size == E(0) && error == E(0)) continue;
+            for (std::size_t j = 0; j <= M && i + j <= K; ++j) {
+                E other = abs(E(b.coefficient[j])), other_error = b.error[j];
+                p.coefficient[i + j] += a.coefficient[i] * b.coefficient[j];
+                p.error[i + j] += error * (other + other_error) + size * (other_error + rounding * other);
+            }
         }
     }
     return p;
@@ -165,18 +191,18 @@ RAIO_FN constexpr polynomial<W, 2 * N> square(const polynomial<W, N>& a) {
     using E = bound_t<W>;
     const E rounding((2 + 2 * N) * unit_roundoff<W>);
     polynomial<W, 2 * N> p;
-    for (std::size_t i = 0; i <= N; ++i) {
+    detail::for_each_index<N + 1>([&](auto i) {
         const E size = abs(E(a.coefficient[i])), error = a.error[i];
-        if (size == E(0) && error == E(0)) continue;
         p.coefficient[2 * i] += a.coefficient[i] * a.coefficient[i];
         p.error[2 * i] += error * (E(2) * size + error) + size * size * rounding;
         const W twice = a.coefficient[i] + a.coefficient[i];
-        for (std::size_t j = i + 1; j <= N; ++j) {
+        detail::for_each_index<N - i>([&](auto beyond) {
+            constexpr std::size_t j = i + 1 + beyond;
             const E other = abs(E(a.coefficient[j])), other_error = a.error[j];
             p.coefficient[i + j] += twice * a.coefficient[j];
             p.error[i + j] += E(2) * (error * (other + other_error) + size * (other_error + rounding * other));
-        }
-    }
+        });
+    });
     return p;
 }
 

@@ -20,20 +20,17 @@ namespace raio {
 template <real W>
 struct polynomial_root {
     W t;
-    bound_t<W> error;      ///< bound of |t - root|, for every root that is meant
-    int before, after;     ///< the signs of the polynomial to both sides; 0 beyond an end of the interval
-    bound_t<W> height;     ///< of another one's turn: bound of this one's magnitude from t to each root that is meant
-    bound_t<W> turned{0};  ///< how far off the extremum is, if it is one
+    bound_t<W> error;   ///< bound of |t - root|, for every root that is meant
+    int before, after;  ///< the signs of the polynomial to both sides; 0 beyond an end of the interval
+    bound_t<W> height;  ///< of another one's turn: bound of this one's magnitude from t to each root that is meant
 
     RAIO_FN constexpr bounded_number<W> place() const { return {t, error}; }
     /// Does the polynomial change its sign there?
     RAIO_FN constexpr bool is_simple() const { return before * after < 0; }
     /// Is the polynomial zero there without changing its sign?
     RAIO_FN constexpr bool is_touched() const { return before * after > 0; }
-    /// Where it turns then.
-    RAIO_FN constexpr bounded_number<W> turn() const { return {t, turned}; }
     /// The same root of -p.
-    RAIO_FN constexpr polynomial_root operator-() const { return {t, error, -before, -after, height, turned}; }
+    RAIO_FN constexpr polynomial_root operator-() const { return {t, error, -before, -after, height}; }
 };
 
 /// A place that is as good as a root, whatever the signs are.
@@ -295,15 +292,14 @@ private:
     RAIO_FN constexpr polynomial_root<W> extremum(const sample& before, const sample& first, const sample& last,
                                                   const sample& after, const E& highest) const {
         W t = first.t + (last.t - first.t) * W(0.5);
-        const E turned = E(last.t - first.t) + first.reach + last.reach + resolution(t);
-        E reach = turned;
+        E reach = E(last.t - first.t) + first.reach + last.reach + resolution(t);
         for (;;) {
             W left = max(before.t, t - W(reach)), right = min(after.t, t + W(reach));
             const bool left_clear = !(before.t < left) || has_sign_of(before, left);
             const bool right_clear = !(right < after.t) || has_sign_of(after, right);
             if (left_clear && right_clear) {
                 E ends = E(2) * (max(E(abs(p_(left))), E(abs(p_(right)))) + noise_(E(abs(t)) + reach));
-                return {t, farthest_from(t, left, right), before.sign, after.sign, max(ends, highest), turned};
+                return {t, farthest_from(t, left, right), before.sign, after.sign, max(ends, highest)};
             }
             reach = reach * E(8);
         }

@@ -35,6 +35,13 @@ struct line_part {
 
     RAIO_FN constexpr polynomial_vector<W, 1> point() const { return {coordinate(0), coordinate(1), coordinate(2)}; }
 
+    /// The same where a polynomial touches zero: at an extremum, which is known to a thousand roundings.
+    RAIO_FN constexpr bounded_number<W> coordinate_where_touched(const polynomial_root<W>& root,
+                                                                 glm::length_t axis) const {
+        const E rounding = E(0x1p10 * unit_roundoff<W>) * abs(E(along[axis]));
+        return {from[axis] + along[axis] * root.t, error[axis] + rounding};
+    }
+
     template <class Wanted>
     RAIO_FN constexpr wanted_roots<W> roots_for(const Wanted& wanted) const {
         return raio::roots_for(wanted, middle, half, E(0));

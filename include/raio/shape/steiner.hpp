@@ -51,11 +51,10 @@ struct steiner {
         const auto half = line.given(W(size) * W(0.5));
         const auto belongs = [&](const polynomial_root<W>& root) {
             if (root.before < 0 || root.after < 0) return true;
-            const auto is_within = [&](const polynomial<W, 1>& coordinate) {
-                return abs(coordinate[0] + coordinate[1] * root.turn()) <= half;
+            const auto is_within = [&](glm::length_t axis) {
+                return abs(part.coordinate_where_touched(root, axis)) <= half;
             };
-            const auto p = part.point();
-            return every(is_within(p[0]), is_within(p[1]), is_within(p[2])).yes;
+            return every(is_within(0), is_within(1), is_within(2)).yes;
         };
         return open_crossings(along(part.point()), part, everywhere<W>(), part.roots_for(wanted), belongs);
     }

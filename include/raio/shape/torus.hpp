@@ -88,28 +88,25 @@ struct torus {
         const auto major = line.given(major_radius), minor = line.given(minor_radius);
         // A little more than the bounding sphere, so that the line's ends are clearly outside.
         const auto size = as_given((major + minor) * line.given(W(1 + 0x1p-10)));
-        const auto a2 = square(a), d2 = square(d), reach2 = d2 * size * size, passed2 = square(moment);
-        const auto passes =
-            every(is_positive(major), is_positive(minor), is_positive(a2), is_positive(reach2), reach2 >= passed2);
+        const auto d2 = square(d), reach2 = d2 * size * size, passed2 = square(moment);
         crossing_list<W, 4> list;
-        if (!list.holds(passes)) return list;
+        if (!list.holds(every(is_positive(reach2), reach2 >= passed2))) return list;
 
         // t = middle + x half, and p(x) = q + x e.
         const auto over_d2 = inverse(d2), unit = inverse(size);
         const auto middle = dot(l, d) * over_d2;
         const auto half = as_given(sqrt(reach2 - passed2) * over_d2);
         const auto q = cross(moment, d) * (over_d2 * unit), e = d * (half * unit);
-        if (!list.holds(every(is_positive(half), is_known_within(q, line.given(W(1)))))) return list;
+        const auto a2 = square(a);
+        const auto is_one = every(is_positive(major), is_positive(minor), is_positive(a2), is_positive(half));
+        if (!list.holds(every(is_one, is_known_within(q, line.given(W(1)))))) return list;
 
-        // p.p = q.q + x^2 e.e, and p.A = q.A + x e.A with the axis as a unit vector.
-        const auto up = a * inverse(sqrt(a2));
-        const auto q2 = square(q), e2 = square(e), qa = dot(q, up), ea = dot(e, up);
-        const auto major2 = square(major * unit), minor2 = square(minor * unit);
-        const auto level = q2 + (major2 - minor2), four_major2 = line.given(W(4)) * major2;
         const auto two = line.given(W(2)), none = line.given(W(0));
-        auto f = polynomial_of(square(level) - four_major2 * (q2 - square(qa)),  //
-                               two * four_major2 * (qa * ea),                    //
-                               two * e2 * level - four_major2 * (e2 - square(ea)), none, square(e2));
+        const auto major2 = square(major * unit), minor2 = square(minor * unit), four_major2 = two * two * major2;
+        const auto b = a * (two * major * unit * inverse(sqrt(a2)));
+        const auto q2 = square(q), e2 = square(e), qb = dot(q, b), eb = dot(e, b), level = q2 + (major2 - minor2);
+        auto f = polynomial_of(square(level) + (square(qb) - four_major2 * q2), two * (qb * eb),
+                               two * e2 * level + (square(eb) - four_major2 * e2), none, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
         list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
