@@ -83,11 +83,10 @@ struct polynomial {
 template <proven_number Constant, proven_number... More>
 RAIO_FN constexpr auto polynomial_of(const Constant& constant, const More&... more) {
     using W = typename Constant::number;
-    polynomial<W, sizeof...(More)> p;
-    std::size_t k = 0;
-    const auto put = [&](const bounded_number<W>& c) { p.coefficient[k] = c.value, p.error[k++] = c.error; };
-    put(constant), (put(more), ...);
-    return p;
+    const auto polynomial_from = [](const auto&... c) {
+        return polynomial<W, sizeof...(More)>{{c.value...}, {c.error...}};
+    };
+    return polynomial_from(bounded_number<W>(constant), bounded_number<W>(more)...);
 }
 
 template <real W, std::size_t N, std::size_t M>

@@ -33,9 +33,6 @@ struct crossing_list {
     crossing_list() = default;
     /// None.
     RAIO_FN constexpr explicit crossing_list(bool is_certain) : certain(is_certain) {}
-    /// None yet of those at these roots.
-    template <std::size_t M>
-    RAIO_FN constexpr explicit crossing_list(const polynomial_roots<W, M>& roots) : certain(roots.certain) {}
 
     RAIO_FN constexpr const crossing<W>* begin() const { return crossings.data(); }
     RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
@@ -114,6 +111,10 @@ struct crossing_list {
 
     /// What was decided on the way: where that is in doubt, so is the list.
     RAIO_FN constexpr void depends_on(const verdict<bool>& decided) { certain = certain && is_settled(decided); }
+    /// The same of what was found on the way: roots, stretches, a part of the line.
+    template <class Found>
+    requires requires(const Found found) { bool(found.certain); }
+    RAIO_FN constexpr void depends_on(const Found& found) { certain = certain && found.certain; }
 
     /// May the line start on the surface?
     RAIO_FN constexpr bool touches_origin() const {
