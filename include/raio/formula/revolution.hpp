@@ -154,7 +154,8 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
     const auto f = square(g) * n2 + g * (across2[1] * slant) + gap * square(slant);
 
     const auto roots = roots_between(f, W(0), W(1));
-    crossing_list<W, 12> list(roots);
+    crossing_list<W, 12> list;
+    list.depends_on(roots);
     for (const polynomial_root<W>& root : roots) {
         if (root.before == 0 && root.after == 0) continue;  // the line lies in the surface
         const auto s = root.place();

@@ -141,6 +141,10 @@ struct crossing_list {
 
     /// What was decided on the way: where that is in doubt, so is the list.
     RAIO_FN constexpr void depends_on(const verdict<bool>& decided) { certain = certain && is_settled(decided); }
+    /// The same of what was found on the way: roots, stretches, a part of the line.
+    template <class Found>
+    requires requires(const Found found) { bool(found.certain); }
+    RAIO_FN constexpr void depends_on(const Found& found) { certain = certain && found.certain; }
 
     /// May the line start on the surface?
     RAIO_FN constexpr bool touches_origin() const {

@@ -55,15 +55,17 @@ struct bezier_curve {
         const aabb<T> box = around_controls();
         vec3<W> low(box.min), high(box.max);
         const W size = length(high - low) * W(0.5);
-        if (!is_sound()) return {};
+        crossing_list<W, 14> list;
+        if (!is_sound()) return list;
         const auto part = part_near(ray, p0, low + (high - low) * W(0.5), size);
-        if (!part.exists) return crossing_list<W, 14>(part.certain);
+        list.depends_on(part);
+        if (!part.exists) return list;
 
         const detail::sweep<W> swept = sweep_along(part, {W(1) / size});
         const auto stretches = stretches_below_zero(swept.minus_s.value, W(0), W(1));
         chord_list<W, 7> inside;
         for (const stretch<W>& where : stretches) inside.insert(swept.extent(part, where));
-        crossing_list<W, 14> list(stretches.certain);
+        list.depends_on(stretches);
         list.append(inside, part.half * W(0x1p-20));
         return list;
     }

@@ -121,17 +121,20 @@ private:
         const auto half = line.given(T(0.5));
         const auto of_a = cross(d, a), of_edge = cross(d, edge);
         const auto f = polynomial_of(dot(w, of_a), dot(twist, of_a) + dot(w, of_edge), dot(twist, of_edge));
-        if (has_one_sign(f)) return {};
+        crossing_list<W, 2> list;
+        if (has_one_sign(f)) return list;
 
         const auto roots = known_roots_between(f, W(-0.125), W(1.125));
         const auto d2 = square(d);
-        crossing_list<W, 2> list(roots);
+        list.depends_on(roots);
         for (const polynomial_root<W>& root : roots) {
             const auto u = root.place();
+            const auto is_on_way = abs(u - half) <= half;
+            if (may_leave<W>(!is_on_way.possibly)) continue;
             const auto from = a + edge * u, along = w + twist * u;
             const auto m = cross(d, from), n = cross(d, along);
             const auto size = norm1(n);
-            const auto is_between = every(abs(u - half) <= half, norm1(m + m + n) <= size);
+            const auto is_between = every(is_on_way, norm1(m + m + n) <= size);
             if (may_leave<W>(!is_between.possibly)) continue;
             // A ray that runs along the line lies in the surface, unless the line is a point.
             auto crosses = is_positive(size);

@@ -18,17 +18,19 @@ struct revolved_piece<T, 3> {
 
     template <class W, real R>
     RAIO_FORMULA constexpr crossing_list<W, 12> crossings(const ray<R>& ray) const {
+        crossing_list<W, 12> list;
         const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x)), least = min(min(p0.x, p1.x), min(p2.x, p3.x));
         const T low = min(min(p0.y, p1.y), min(p2.y, p3.y)), high = max(max(p0.y, p1.y), max(p2.y, p3.y));
         const vec3<W> a(axis);
         const W unit = length(a), middle = (W(low) + W(high)) * W(0.5);
         const bool sound = least >= T(0) && is_finite(base) && is_finite(p0.x + p1.x + p2.x + p3.x) &&
                            is_finite(p0.y + p1.y + p2.y + p3.y);
-        if (!sound || !(unit > W(0)) || !is_finite(bound_t<W>(unit))) return {};
+        if (!sound || !(unit > W(0)) || !is_finite(bound_t<W>(unit))) return list;
         const W reach = W(widest) + (W(high) - W(low)) * (W(0.5) * unit);
         const auto part = part_near(ray, base, vec3<W>(base) + a * middle, reach);
-        if (!part.exists) return crossing_list<W, 12>(part.certain);
-        auto list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
+        list.depends_on(part);
+        if (!part.exists) return list;
+        list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
         list.start_at_origin();
         keep_if_reachable<T>(ray, list);
         return list;
