@@ -50,7 +50,7 @@ template <int Roundings, bool Spare, class W, class Power>
                                                                Power power) {
     using E = bound_t<W>;
     constexpr double u = unit_roundoff<W>, least = least_normal<W>;
-    W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, s2;
+    W a = dot(d, d), b = dot(l, d), ar2 = a * radius * radius, s2(0);
     E s2_error(0);
     mask_t<W> brief(false);
     if constexpr (Spare) {
