@@ -64,6 +64,12 @@ struct bounded_number {
     RAIO_FN constexpr bounded_number operator-() const { return {-value, error}; }
 };
 
+/// A number of which nothing is known.
+template <class W>
+RAIO_FN constexpr bounded_number<W> unknown_number() {
+    return {W(0), bound_t<W>(infinity<bound_t<W>>)};
+}
+
 namespace detail {
 
 /// A bound of errors, rounded up: itself the result of no more than a hundred roundings.
@@ -207,6 +213,18 @@ RAIO_FN constexpr verdict<mask_t<W>> is_positive(const rounded_number<W, K>& a) 
     const W off(K == 0 ? 0.0 : detail::lost<W>);
     const mask_t<W> above = a.value > off;
     return {above, K == 0 ? above : !(a.value <= -off), above};
+}
+
+/// Is the root of a square above zero beside b, which its error comes from? What the last precision knows less than
+/// ten digits of is zero to it; who has a closer look leaves that to it.
+template <class W, int K>
+RAIO_FN constexpr verdict<mask_t<W>> is_root_told_from_zero(const rounded_number<W, K>& square_of_root,
+                                                            const bounded_number<W>& b) {
+    if constexpr (last_precision<W>) {
+        return square_of_root >= square(b * given_number<W>{W(0x1p-89)});
+    } else {
+        return {true, true, true};
+    }
 }
 
 template <class W>
