@@ -118,7 +118,7 @@ private:
 template <class W>
 struct curve_beside_axis {
     polynomial<W, 3> radius, height;  ///< rho and h, in lengths; rho is not below 0
-    rounded_vector<W, 6> direction;   ///< e
+    rounded_vector<W, 5> direction;   ///< e
 
     RAIO_FN constexpr vec3<W> axis() const { return {direction.x, direction.y, direction.z}; }
 };

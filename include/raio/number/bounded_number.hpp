@@ -67,6 +67,12 @@ struct bounded_number {
     RAIO_FN constexpr bounded_number operator-() const { return {-value, error}; }
 };
 
+/// A number of which nothing is known.
+template <class W>
+RAIO_FN constexpr bounded_number<W> unknown_number() {
+    return {W(0), bound_t<W>(infinity<bound_t<W>>)};
+}
+
 namespace detail {
 
 /// What a sum is off by. Numbers of two parts add up their low parts by themselves: with u = 2^-53 the three sums of
@@ -354,6 +360,19 @@ RAIO_FN constexpr E larger_bound(const E& a, const E& b) {
 }  // namespace detail
 
 /// One of two. Where it is in doubt which, the other one is covered as well.
+
+/// Is the root of a square above zero beside b, which its error comes from? What the last precision knows less than
+/// ten digits of is zero to it; who has a closer look leaves that to it.
+template <class W, int K>
+RAIO_FN constexpr verdict<mask_t<W>> is_root_told_from_zero(const rounded_number<W, K>& square_of_root,
+                                                            const bounded_number<W>& b) {
+    if constexpr (last_precision<W>) {
+        return square_of_root >= square(b * given_number<W>{W(0x1p-89)});
+    } else {
+        return {true, true, true};
+    }
+}
+
 template <class W>
 RAIO_FN constexpr bounded_number<W> select(const verdict<mask_t<W>>& where, const bounded_number<W>& a,
                                            const bounded_number<W>& b) {

@@ -223,6 +223,12 @@ RAIO_FN constexpr auto operator-(const A& a, const B& b) {
     return a + -b;
 }
 
+/// Component by component.
+template <class W, int K, int L>
+RAIO_FN constexpr rounded_vector<W, K + L + 1> operator*(const rounded_vector<W, K>& a, const rounded_vector<W, L>& b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
 template <class W, int K, int L>
 RAIO_FN constexpr rounded_vector<W, K + L + 1> operator*(const rounded_vector<W, K>& v, const rounded_number<W, L>& s) {
     return {v.x * s.value, v.y * s.value, v.z * s.value};

@@ -93,8 +93,11 @@ RAIO_FN constexpr root_pair<W> quadratic_roots(const A& a, const bounded_number<
         const bounded_number<W> power = starts ? bounded_number<W>{W(0), c.error + size_of(c)} : c;
         const bool is_near = b.value > W(0);
         bounded_number<W>& small = is_near ? near : far;
-        const bounded_number<W> better = power * inverse(is_near ? b + root : b - root);
-        if (better.error < small.error) small = better;
+        const bounded_number<W> sum = is_near ? b + root : b - root;
+        if (size_of(sum) > sum.error) {
+            const bounded_number<W> better = power * inverse(sum);
+            if (better.error < small.error) small = better;
+        }
     }
     return {near, far};
 }

@@ -36,14 +36,11 @@ struct ellipsoid {
 
     template <class W, real R>
     [[gnu::always_inline]] RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        using D = wide_t<W>;
-        vec3<W> stretch = to_sphere<W>(), to_center = difference_as<W>(center, ray.origin);
-        const auto power = [&] {
-            vec3<D> exactly = to_sphere<D>();
-            return power_of_point<2, W>(exactly * difference_as<D>(center, ray.origin), D(radii.x) * exactly.x);
-        };
-        chord<W> c = cross_sphere<2, false>(stretch * to_center, stretch * vec3<W>(ray.direction),
-                                            W(radii.x) * stretch.x, power);
+        line<W, R> line{ray};
+        auto r = line.given(radii);
+        rounded_vector<W, 1> stretch{r.y * r.z, r.z * r.x, r.x * r.y};
+        rounded_number<W, 2> radius{r.x * stretch.x};
+        chord<W> c = cross_sphere_along(line, stretch * line.to(center), stretch * line.direction(), radius);
         const mask_t<T> sound = every(radii.x > T(0), radii.y > T(0), radii.z > T(0));
         c.near.exists = every(c.near.exists, sound);
         c.far.exists = every(c.far.exists, sound);

@@ -9,7 +9,11 @@ namespace raio {
 
 /// The points at distance `radius` from `center`.
 ///
-/// How a line crosses it: see formula/sphere.hpp.
+/// The point at t of a line lies on it where |t d - l| = radius, with l from the point where t = 0 to the centre:
+///
+///     t = (b -+ s) / a,   a = d.d,   b = l.d,   s^2 = b^2 - a (l.l - radius^2) = a radius^2 - |l x d|^2
+///
+/// That is `cross_sphere` in formula/sphere.hpp.
 ///
 /// uv: u is the angle about +y from +x towards -z, v the latitude, 0 at the lowest y and 1 at the highest.
 template <real T>
@@ -44,7 +48,8 @@ struct sphere {
 
     template <class W, real R>
     [[gnu::always_inline]] RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        return cross_sphere_about<W>(center, radius, ray);
+        line<W, R> line{ray};
+        return cross_sphere_along(line, line.to(center), line.direction(), line.given(radius));
     }
 
     template <class W, real R, real N>
