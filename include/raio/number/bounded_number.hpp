@@ -30,11 +30,10 @@ using given_number = rounded_number<W, 0>;
 
 namespace detail {
 
-/// What the smallest numbers lose of their digits is less than this: of products of floats in float, of doubles. A
-/// product below the smallest normal number loses at most half of the smallest one of all. It may be multiplied by 2^25
-/// in float, by 2^10 in double, before that is more of a root or an inverse than its roundings, and by 2^49 or 2^114
-/// before it is more than this. Bounds in float keep count of it. Where only roundings are counted, and in double, the
-/// products of a formula must not get larger by more, once they are too small.
+/// What the smallest numbers lose of their digits is less than this: of products of floats in float, of doubles. Bounds
+/// in float keep count of it. In double, and where roundings are all that is counted, a formula must not multiply
+/// products that are too small for their digits by more than 2^25 in float, 2^10 in double, before a root or an
+/// inverse, and by 2^49 or 2^114 without one.
 template <class W>
 inline constexpr double lost = std::same_as<scalar_t<W>, float> ? 0x1p-100 : 0x1p-960;
 
@@ -47,11 +46,8 @@ RAIO_FN constexpr bound_t<W> relative(int count) {
 /// A bound, and what the smallest floats lose.
 template <class W>
 RAIO_FN constexpr bound_t<W> with_lost(const bound_t<W>& error) {
-    if constexpr (std::same_as<scalar_t<W>, float>) {
-        return error + bound_t<W>(lost<W>);
-    } else {
-        return error;
-    }
+    if constexpr (std::same_as<scalar_t<W>, float>) return error + bound_t<W>(lost<W>);
+    return error;
 }
 
 /// So many roundings of numbers of this size.
@@ -97,6 +93,12 @@ RAIO_FN constexpr bound_t<W> error_of_sum(const bound_t<W>& sum, [[maybe_unused]
 template <class W>
 RAIO_FN constexpr bound_t<W> rounded_up(const bound_t<W>& error) {
     return error * bound_t<W>(1 + 0x1p-16);
+}
+
+/// The larger of two bounds, and a NaN where one is not known.
+template <class E>
+RAIO_FN constexpr E larger_bound(const E& a, const E& b) {
+    return max(a, b) + (b - b);
 }
 
 template <class N>
@@ -171,7 +173,7 @@ template <class W, int K>
 RAIO_FN constexpr rounded_number<W, K + 1> inverse(const rounded_number<W, K>& a) {
     using E = bound_t<W>;
     mask_t<W> is_apart = size_of(a) > E(detail::lost<W>);
-    if constexpr (K > 0) is_apart = every(is_apart, is_finite(a.value));  // nor is it known if it was out of range
+    if constexpr (K > 0) is_apart = every(is_apart, is_finite(a.value));  // or was out of range
     return {select(is_apart, W(1), W(std::numeric_limits<scalar_t<W>>::quiet_NaN())) / select(is_apart, a.value, W(1))};
 }
 
@@ -255,16 +257,6 @@ RAIO_FN constexpr verdict<mask_t<W>> is_positive(const rounded_number<W, K>& a) 
     return {above, !(a.value <= -off), above};
 }
 
-namespace detail {
-
-/// The larger of two bounds, and a NaN where one is not known.
-template <class E>
-RAIO_FN constexpr E larger_bound(const E& a, const E& b) {
-    return max(a, b) + (b - b);
-}
-
-}  // namespace detail
-
 /// One of two. Where it is in doubt which, the other one is covered as well.
 template <class W>
 RAIO_FN constexpr bounded_number<W> select(const verdict<mask_t<W>>& where, const bounded_number<W>& a,
@@ -285,10 +277,6 @@ RAIO_FN constexpr bounded_number<W> max(const bounded_number<W>& a, const bounde
     // No more of the distance is taken off than there is.
     E beyond = other - E(1 - 0x1p-16) * abs(E(a.value - b.value));
     return {select(second, b.value, a.value), detail::larger_bound(chosen, beyond)};
-}
-template <class W>
-RAIO_FN constexpr bounded_number<W> min(const bounded_number<W>& a, const bounded_number<W>& b) {
-    return -max(-a, -b);
 }
 
 template <class Mask, proven_number A, proven_number B>
