@@ -242,7 +242,8 @@ TEST_CASE_TEMPLATE("bounded_number: nothing is certain of what is no number, nor
         check(rounded_number<W, 2>{x});
         check(bounded(x, E(infinity<E>)));
         CHECK(in_doubt(is_positive(bounded(x, E(infinity<E>)))));
-        CHECK(in_doubt(is_positive(inverse(rounded_number<W, 2>{x}))));
+        // What was out of range may have been anything large: times what was not, its inverse may be.
+        CHECK(in_doubt(inverse(rounded_number<W, 2>{x}) < given(7)));
     }
     check(inverse(bounded(W(0), E(1))));
     check(-inverse(bounded(W(0), E(1))));

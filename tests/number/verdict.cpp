@@ -42,11 +42,11 @@ bool same_verdict(const verdict<bool>& a, const verdict<bool>& b) {
 }
 
 TEST_CASE("verdict: of three and four, whatever their order, and as De Morgan says") {
-    for (int i = 0; i < 81 * 16; ++i) {
+    for (std::size_t i = 0; i < 81 * 16; ++i) {
         const kleene a = values[i % 3], b = values[i / 3 % 3], c = values[i / 9 % 3], d = values[i / 27 % 3];
-        const int answers = i / 81;
-        const verdict<bool> w = as_verdict(a, answers % 2), x = as_verdict(b, answers / 2 % 2),
-                            y = as_verdict(c, answers / 4 % 2), z = as_verdict(d, answers / 8 % 2);
+        const std::size_t answers = i / 81;
+        const verdict<bool> w = as_verdict(a, answers % 2 == 1), x = as_verdict(b, answers / 2 % 2 == 1),
+                            y = as_verdict(c, answers / 4 % 2 == 1), z = as_verdict(d, answers / 8 % 2 == 1);
         REQUIRE(as_value(every(w, x, y)) == std::min({a, b, c}));
         REQUIRE(as_value(some(w, x, y)) == std::max({a, b, c}));
         REQUIRE(as_value(every(w, x, y, z)) == std::min({a, b, c, d}));

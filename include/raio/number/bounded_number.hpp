@@ -354,7 +354,7 @@ namespace detail {
 /// The larger of two bounds, and a NaN where one is not known.
 template <class E>
 RAIO_FN constexpr E larger_bound(const E& a, const E& b) {
-    return max(a, b) + (b - b);
+    return select(mask_t<E>(b == b), max(a, b), b);
 }
 
 }  // namespace detail
