@@ -28,6 +28,14 @@ struct rounded_number {
 template <class W>
 using given_number = rounded_number<W, 0>;
 
+/// Zero, as a type: what a formula has of it is not computed.
+template <class W>
+struct zero_number {
+    using number = W;
+
+    RAIO_FN constexpr zero_number operator-() const { return {}; }
+};
+
 namespace detail {
 
 /// What the smallest numbers lose of their digits is less than this: of products of floats in float, of doubles.
@@ -61,6 +69,8 @@ struct bounded_number {
     RAIO_FN constexpr bounded_number(const rounded_number<W, K>& a)
         : value(a.value), error(K == 0 ? bound_t<W>(0) : detail::roundings<W>(K, abs(bound_t<W>(a.value)))) {}
 
+    RAIO_FN constexpr bounded_number(const zero_number<W>&) : value(W(0)), error(0) {}
+
     RAIO_FN constexpr bounded_number operator-() const { return {-value, error}; }
 };
 
@@ -78,6 +88,8 @@ template <class W, int K>
 inline constexpr bool is_proven<rounded_number<W, K>> = true;
 template <class W>
 inline constexpr bool is_proven<bounded_number<W>> = true;
+template <class W>
+inline constexpr bool is_proven<zero_number<W>> = true;
 
 }  // namespace detail
 
@@ -125,9 +137,39 @@ RAIO_FN constexpr auto operator-(const A& a, const B& b) {
     return a + -b;
 }
 
+template <class W, proven_number A>
+RAIO_FN constexpr A operator+(const zero_number<W>&, const A& a) {
+    return a;
+}
+template <class W, proven_number A>
+RAIO_FN constexpr A operator+(const A& a, const zero_number<W>&) {
+    return a;
+}
+template <class W>
+RAIO_FN constexpr zero_number<W> operator+(const zero_number<W>&, const zero_number<W>&) {
+    return {};
+}
+template <class W, proven_number A>
+RAIO_FN constexpr zero_number<W> operator*(const zero_number<W>&, const A&) {
+    return {};
+}
+template <class W, proven_number A>
+RAIO_FN constexpr zero_number<W> operator*(const A&, const zero_number<W>&) {
+    return {};
+}
+template <class W>
+RAIO_FN constexpr zero_number<W> operator*(const zero_number<W>&, const zero_number<W>&) {
+    return {};
+}
+
 template <proven_number A>
 RAIO_FN constexpr auto square(const A& a) {
     return a * a;
+}
+template <class W>
+RAIO_FN constexpr bounded_number<W> square(const bounded_number<W>& a) {
+    W product = a.value * a.value;
+    return {product, a.error * (size_of(a) + size_of(a) + a.error) + detail::roundings<W>(1, bound_t<W>(product))};
 }
 
 /// 1 / a. Nothing is known of it where a may be zero.
@@ -154,7 +196,7 @@ RAIO_FN constexpr bounded_number<W> sqrt(const bounded_number<W>& a) {
     W root = sqrt(max(a.value, W(0)));
     // |s - s'| = |a - a'| / (s + s'), and no more than |a - a'|^(1/2).
     E size(root), error = quotient(a.error, size, E(infinity<E>));
-    if constexpr (last_precision<W>) error = min(error, sqrt(a.error));
+    if constexpr (!has_closer_look<W>) error = min(error, sqrt(a.error));
     return {root, error + detail::roundings<W>(1, size)};
 }
 template <class W, int K>
@@ -207,6 +249,12 @@ RAIO_FN constexpr verdict<mask_t<W>> is_positive(const rounded_number<W, K>& a) 
     const W off(K == 0 ? 0.0 : detail::lost<W>);
     const mask_t<W> above = a.value > off;
     return {above, K == 0 ? above : !(a.value <= -off), above};
+}
+
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> is_positive(const zero_number<W>&) {
+    const mask_t<W> no = W(0) != W(0);
+    return {no, no, no};
 }
 
 template <class W>

@@ -71,6 +71,15 @@ RAIO_FN constexpr auto size_of(const V& v) {
 
 namespace detail {
 
+template <class W, int K>
+RAIO_FN constexpr bound_t<W> error_of(const rounded_vector<W, K>& v) {
+    return K == 0 ? bound_t<W>(0) : roundings<W>(K, size_of(v));
+}
+template <class W>
+RAIO_FN constexpr bound_t<W> error_of(const bounded_vector<W>& v) {
+    return v.error;
+}
+
 // What a product is off by that rounds its terms so many times.
 template <class W, int K, int L>
 RAIO_FN constexpr bound_t<W> error_of_product(int count, const rounded_vector<W, K>& a, const rounded_vector<W, L>& b) {
@@ -102,6 +111,20 @@ RAIO_FN constexpr auto cross(const A& a, const B& b) {
     using W = typename A::number;
     return bounded_vector<W>{detail::sum_of_products(a.y, b.z, -a.z, b.y), detail::sum_of_products(a.z, b.x, -a.x, b.z),
                              detail::sum_of_products(a.x, b.y, -a.y, b.x), detail::error_of_product(2, a, b)};
+}
+
+/// p.M q, where the symmetric matrix M has these numbers on the diagonal, and half of those beside it: at yz, zx, xy.
+template <class W, int K, proven_vector P, proven_vector Q>
+RAIO_FN constexpr bounded_number<W> symmetric_product(const rounded_vector<W, K>& diagonal,
+                                                      const rounded_vector<W, K>& beside, const P& p, const Q& q) {
+    using E = bound_t<W>;
+    const auto mixed = [](const W& p1, const W& q2, const W& p2, const W& q1) { return p1 * q2 + p2 * q1; };
+    const W on_diagonal = detail::sum_of_products(diagonal.x, p.x * q.x, diagonal.y, p.y * q.y, diagonal.z, p.z * q.z);
+    const W off_diagonal = detail::sum_of_products(beside.x, mixed(p.y, q.z, p.z, q.y), beside.y,
+                                                   mixed(p.z, q.x, p.x, q.z), beside.z, mixed(p.x, q.y, p.y, q.x));
+    const E p_error = detail::error_of(p), q_error = detail::error_of(q), p_size = size_of(p), q_size = size_of(q);
+    const E terms = p_error * (q_size + q_error) + p_size * (q_error + detail::roundings<W>(K + 6, q_size));
+    return {on_diagonal + off_diagonal * W(0.5), (size_of(diagonal) + size_of(beside)) * terms};
 }
 
 /// v.v
