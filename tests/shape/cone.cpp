@@ -65,14 +65,14 @@ TEST_CASE_TEMPLATE("cone: named cases", T, RAIO_NUMBERS) {
     });
 }
 
-TEST_CASE("cone: the point of a ray that grazes the apex (it lay beyond the bounds)") {
+TEST_CASE("cone: a ray that passes the apex by 1e-15 of the axis (it was hit there, beyond the bounds)") {
     const cone<double> cone{{-0x1.ac5e7303bdf73p-1, 0x1.2bc7bec2335b5p-2, 0x1.5d5b4251b3de3p-2},
                             {0x1.372af8161078dp-5, 0x1.0dbf8259c6b93p+0, 0x1.474de7e8cdabfp-4},
                             0x1.3cb814680f79fp-5};
     const ray<double> ray{{-0x1.d5ba2b83fd0c8p-3, 0x1.a45ccb561485ap-1, 0x1.6038fbdd9d5b4p-3},
                           {0x1.11c274c4c0956p-2, 0x1.dc88e575e3b3p-3, -0x1.79240fd26d0a8p-4}};
     CHECK(inconsistent_record(probe<raio::cone<double>>{cone, ray, 0, infinity<double>}) == "");
-    CHECK(cone.occluded(ray, 0, 2));
+    CHECK(!cone.occluded(ray, 0, 2));
 }
 
 TEST_CASE_TEMPLATE("cone: properties of every shape", T, RAIO_NUMBERS) { check_properties<cone<T>>(); }
@@ -135,15 +135,13 @@ TEST_CASE("open_cone: the apex, along the axis (seen with a normal along the ray
     CHECK(rec.normal.z == doctest::Approx(-1));
 }
 
-TEST_CASE("open_cone: all but along a generator to the apex, whose normal was along the ray") {
+TEST_CASE("open_cone: all but along a generator past the apex (it was hit, with a normal along the ray)") {
     const open_cone<double> funnel{{0x1.00ea4dfdad41bp+6, 0x1.86b3b562b7704p+5, 0x1.2046d1b23b12fp+4},
                                    {0x1.012df6c35554dp+6, 0x1.86afae84f0581p+5, 0x1.1fd33ed3b97dep+4},
                                    0x1.48b9b8ec757fap-3};
     const ray<double> down{{0x1.00ed36c65a743p+6, 0x1.858e03d7bb60dp+5, 0x1.203a6560f437bp+4},
                            {0x1.9c843ed445496p-2, 0x1.cd5c52a75dfd5p-1, -0x1.4894f98d07fc8p-3}};
-    hit_record<double> rec;
-    REQUIRE(funnel.hit(down, 0, infinity<double>, rec));
-    CHECK(dot(rec.normal, down.direction) < 1e-15);
+    CHECK(!funnel.occluded(down, 0, infinity<double>));
 }
 
 TEST_CASE_TEMPLATE("open_cone: from a point of the surface, in any direction (many doubles did not start there)", T,

@@ -28,6 +28,14 @@ struct rounded_number {
 template <class W>
 using given_number = rounded_number<W, 0>;
 
+/// Zero, as a type: what a formula has of it is not computed.
+template <class W>
+struct zero_number {
+    using number = W;
+
+    RAIO_FN constexpr zero_number operator-() const { return {}; }
+};
+
 namespace detail {
 
 /// What the smallest numbers lose of their digits comes to less than this in the end, where nothing is divided by less
@@ -63,6 +71,8 @@ struct bounded_number {
     template <int K>
     RAIO_FN constexpr bounded_number(const rounded_number<W, K>& a)
         : value(a.value), error(K == 0 ? bound_t<W>(0) : detail::roundings<W>(K, abs(bound_t<W>(a.value)))) {}
+
+    RAIO_FN constexpr bounded_number(const zero_number<W>&) : value(W(0)), error(0) {}
 
     RAIO_FN constexpr bounded_number operator-() const { return {-value, error}; }
 };
@@ -105,6 +115,8 @@ template <class W, int K>
 inline constexpr bool is_proven<rounded_number<W, K>> = true;
 template <class W>
 inline constexpr bool is_proven<bounded_number<W>> = true;
+template <class W>
+inline constexpr bool is_proven<zero_number<W>> = true;
 
 }  // namespace detail
 
@@ -158,6 +170,36 @@ RAIO_FN constexpr auto operator-(const A& a, const B& b) {
     return a + -b;
 }
 
+template <class W, proven_number A>
+RAIO_FN constexpr A operator+(const zero_number<W>&, const A& a) {
+    return a;
+}
+template <class W, proven_number A>
+RAIO_FN constexpr A operator+(const A& a, const zero_number<W>&) {
+    return a;
+}
+template <class W>
+RAIO_FN constexpr zero_number<W> operator+(const zero_number<W>&, const zero_number<W>&) {
+    return {};
+}
+template <class W, proven_number A>
+RAIO_FN constexpr zero_number<W> operator*(const zero_number<W>&, const A&) {
+    return {};
+}
+template <class W, proven_number A>
+RAIO_FN constexpr zero_number<W> operator*(const A&, const zero_number<W>&) {
+    return {};
+}
+template <class W>
+RAIO_FN constexpr zero_number<W> operator*(const zero_number<W>&, const zero_number<W>&) {
+    return {};
+}
+
+template <class W>
+RAIO_FN constexpr zero_number<W> square(const zero_number<W>&) {
+    return {};
+}
+
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, 2 * K + 1> square(const rounded_number<W, K>& a) {
     return a * a;
@@ -209,7 +251,7 @@ RAIO_FN constexpr bounded_number<W> sqrt(const bounded_number<W>& a) {
     W root = sqrt(max(a.value, W(0)));
     // |s - s'| = |a - a'| / (s + s'), and no more than |a - a'|^(1/2).
     E size(root), off = a.error + E(detail::lost<W>), error = quotient(off, size, E(infinity<E>));
-    if constexpr (last_precision<W>) error = min(error, sqrt(off));
+    if constexpr (!has_closer_look<W>) error = min(error, sqrt(off));
     return {root, error + detail::roundings<W>(1, size)};
 }
 /// Half of the roundings, and one; a root of numbers that may have lost digits would not be near it.
@@ -359,8 +401,6 @@ RAIO_FN constexpr E larger_bound(const E& a, const E& b) {
 
 }  // namespace detail
 
-/// One of two. Where it is in doubt which, the other one is covered as well.
-
 /// Is the root of a square above zero beside b, which its error comes from? What the last precision knows less than
 /// ten digits of is zero to it; who has a closer look leaves that to it.
 template <class W, int K>
@@ -373,6 +413,13 @@ RAIO_FN constexpr verdict<mask_t<W>> is_root_told_from_zero(const rounded_number
     }
 }
 
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> is_positive(const zero_number<W>&) {
+    const mask_t<W> no = W(0) != W(0);
+    return {no, no, no};
+}
+
+/// One of two. Where it is in doubt which, the other one is covered as well.
 template <class W>
 RAIO_FN constexpr bounded_number<W> select(const verdict<mask_t<W>>& where, const bounded_number<W>& a,
                                            const bounded_number<W>& b) {

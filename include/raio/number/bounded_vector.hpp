@@ -82,6 +82,15 @@ RAIO_FN constexpr auto size_of_terms(const A& a, const B& b) {
     return abs(E(a.x) * E(b.x)) + abs(E(a.y) * E(b.y)) + abs(E(a.z) * E(b.z));
 }
 
+template <class W, int K>
+RAIO_FN constexpr bound_t<W> error_of(const rounded_vector<W, K>& v) {
+    return K == 0 ? bound_t<W>(0) : roundings<W>(K, size_of(v));
+}
+template <class W>
+RAIO_FN constexpr bound_t<W> error_of(const bounded_vector<W>& v) {
+    return v.error;
+}
+
 // What a product is off by that rounds its terms so many times.
 template <class W, int K, int L>
 RAIO_FN constexpr bound_t<W> error_of_product(int count, const rounded_vector<W, K>& a, const rounded_vector<W, L>& b) {
@@ -176,6 +185,20 @@ RAIO_FN constexpr bounded_vector<W> shear(const rounded_vector<W, K>& v, const r
     E slopes = E(1) + abs(E(slope.x)) + abs(E(slope.y));
     return {v.x - slope.x * v.z, v.y - slope.y * v.z, v.z,
             detail::roundings<W>(K + L + 2, abs(E(v.x)) + abs(E(v.y)) + slopes * abs(E(v.z)))};
+}
+
+/// p.M q, where the symmetric matrix M has these numbers on the diagonal, and half of those beside it: at yz, zx, xy.
+template <class W, int K, proven_vector P, proven_vector Q>
+RAIO_FN constexpr bounded_number<W> symmetric_product(const rounded_vector<W, K>& diagonal,
+                                                      const rounded_vector<W, K>& beside, const P& p, const Q& q) {
+    using E = bound_t<W>;
+    const auto mixed = [](const W& p1, const W& q2, const W& p2, const W& q1) { return p1 * q2 + p2 * q1; };
+    const W on_diagonal = detail::sum_of_products(diagonal.x, p.x * q.x, diagonal.y, p.y * q.y, diagonal.z, p.z * q.z);
+    const W off_diagonal = detail::sum_of_products(beside.x, mixed(p.y, q.z, p.z, q.y), beside.y,
+                                                   mixed(p.z, q.x, p.x, q.z), beside.z, mixed(p.x, q.y, p.y, q.x));
+    const E p_error = detail::error_of(p), q_error = detail::error_of(q), p_size = size_of(p), q_size = size_of(q);
+    const E terms = p_error * (q_size + q_error) + p_size * (q_error + detail::roundings<W>(K + 6, q_size));
+    return {on_diagonal + off_diagonal * W(0.5), (size_of(diagonal) + size_of(beside)) * terms};
 }
 
 /// v.v

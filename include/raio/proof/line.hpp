@@ -16,6 +16,8 @@ struct line {
         return {W(ray.direction.x), W(ray.direction.y), W(ray.direction.z)};
     }
 
+    RAIO_FN constexpr given_vector<W> origin() const { return {W(ray.origin.x), W(ray.origin.y), W(ray.origin.z)}; }
+
     /// From the point where t = 0 to p, and the other way.
     template <real T>
     RAIO_FN constexpr rounded_vector<W, 1> to(const vec3<T>& p) const {
@@ -24,6 +26,15 @@ struct line {
     template <real T>
     RAIO_FN constexpr rounded_vector<W, 1> from(const vec3<T>& p) const {
         return difference(ray.origin, p);
+    }
+
+    /// From the point where t = 0 to the one half way from p to q.
+    template <real T>
+    RAIO_FN constexpr bounded_vector<W> to_middle(const vec3<T>& p, const vec3<T>& q) const {
+        const rounded_vector<W, 1> a = to(p), b = to(q);
+        const W half(0.5);
+        return {(a.x + b.x) * half, (a.y + b.y) * half, (a.z + b.z) * half,
+                detail::roundings<W>(1, size_of(a) + size_of(b))};
     }
 
     /// What the shape is made of, in the numbers of the line.
@@ -39,6 +50,11 @@ struct line {
     template <real T>
     RAIO_FN static constexpr rounded_vector<W, 1> between(const vec3<T>& p, const vec3<T>& q) {
         return difference(q, p);
+    }
+    /// y - x.
+    template <real T>
+    RAIO_FN static constexpr rounded_number<W, 1> between(const T& x, const T& y) {
+        return {difference_as<W>(y, x)};
     }
 
 private:

@@ -3,14 +3,44 @@
 #include <raio/shape/frustum.hpp>
 
 /// \file
-/// Both cones: with its base one is a solid, without it a funnel. They are frusta whose upper radius is 0, and the apex
-/// belongs to them; its normal is the axis.
+/// Both cones: with its base one is a solid, without it a funnel. The apex belongs to them; its normal is the axis.
 ///
-/// Faces are counted side, base. uv of the side: u is the angle about the axis, from the x axis of
-/// `frame_about(axis)`; v the height, 0 at the base and 1 at the apex. uv of the base: the same u, and v the distance
-/// from the axis over the radius.
+/// With the axis A from the apex down to the base, a point p of the cone, as seen from the apex, is at the height h =
+/// p.A / A.A, 0 at the apex and 1 at the base, and at the distance rho = radius h from the axis: rho^2 = radius^2 h^2.
+/// This is a quadric of revolution about the apex with c0 = c1 = 0 and c2 = radius^2 (see formula/quadric.hpp), so that
+/// with l = apex - origin and m = l x d
+///
+///     a x^2 - 2 b x + c = 0,   k = radius^2 / A.A
+///     b^2 - a c = A.A (radius^2 m.m - (1 + k) (m.A)^2) = radius^2 |m x A|^2 - A.A (m.A)^2
+///
+/// That has a meaning: m is the normal of the plane through the apex and the line. The line meets the cone if this
+/// plane does elsewhere than at the apex: if |m.A| / |m x A|, the tangent of the plane's angle with the axis, is no
+/// more than radius / |A|, that of a generator's.
+///
+/// h^2 has forgotten the sign of h: there is a second nappe beyond the apex, and the plane of the apex cuts it off. A
+/// line that is steeper than the generators crosses both, each once, and is inside of ours from its crossing on, down
+/// the axis. One that is less steep crosses the same nappe twice. One that is parallel to a generator crosses once.
+///
+/// What they record is what frusta do whose upper radius is 0. Faces are counted side, base. uv of the side: u is the
+/// angle about the axis, from the x axis of `frame_about(axis)`; v the height, 0 at the base and 1 at the apex. uv of
+/// the base: the same u, and v the distance from the axis over the radius.
 
 namespace raio {
+
+namespace detail {
+
+/// The chord through the nappe that widens from the apex towards the base, and on.
+template <class W, class R, real T>
+RAIO_FN constexpr chord<W> cross_endless_cone(const vec3<T>& base, const vec3<T>& apex, const T& radius,
+                                              const line<W, R>& line) {
+    const auto r = line.given(radius);
+    const auto d = line.direction();
+    const auto axis = line.between(apex, base);
+    const zero_number<W> none;
+    return one_nappe(cross_quadric(d, line.to(apex), axis, turned_conic{none, none, r * r, none}, r), dot(d, axis));
+}
+
+}  // namespace detail
 
 /// The points between a disc and an apex over its centre: closed, a solid.
 template <real T>
@@ -42,7 +72,11 @@ struct cone {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        return as_frustum().template crossings<W>(ray);
+        chord<W> nappe = detail::cross_endless_cone(base, apex, radius, line<W, R>{ray});
+        if (missed(nappe)) return nappe;
+        chord<W> c = intersect(nappe, detail::cross_cap_planes<W>(base, apex, ray));
+        keep_if_reachable<T>(ray, c);
+        return c;
     }
 
     template <class W, real R, real N>
@@ -80,7 +114,12 @@ struct open_cone {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        return as_frustum().template crossings<W>(ray);
+        chord<W> nappe = detail::cross_endless_cone(base, apex, radius, line<W, R>{ray});
+        if (missed(nappe)) return nappe;
+        chord<W> slab = detail::cross_cap_planes<W>(base, apex, ray);
+        chord<W> c = {detail::within(slab, nappe.near), detail::within(slab, nappe.far)};
+        keep_if_reachable<T>(ray, c);
+        return c;
     }
 
     template <class W, real R, real N>

@@ -7,10 +7,11 @@
 /// \file
 /// Both frusta, cones cut off across their axis: with its caps one is a solid, without them a funnel.
 ///
-/// From the end with the lesser radius r on, with the other radius R and the height h = 0 to 1, the side is at rho =
-/// r + (R - r) h from the axis: a quadric of revolution, for which see formula/quadric.hpp. It has a second nappe
-/// beyond its apex. A line that is steeper than the generators crosses both, and is inside of this one from its
-/// crossing on, in the direction in which the radius grows.
+/// From the end with the lesser radius r on, with the other radius r + w and the height h = 0 to 1, the side is at rho
+/// = r + w h from the axis: rho^2 = r^2 + 2 r w h + w^2 h^2, a quadric of revolution, for which see
+/// formula/quadric.hpp. As a perfect square it has no discriminant, (r w)^2 - r^2 w^2 = 0. It has a second nappe beyond
+/// its apex. A line that is steeper than the generators crosses both, and is inside of this one from its crossing on,
+/// in the direction in which the radius grows.
 ///
 /// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
 /// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
@@ -20,14 +21,15 @@ namespace raio {
 
 namespace detail {
 
-/// Of a line's two parts in a cone, the one in the nappe that grows along the axis, or against it.
+/// Of a line's two parts in a cone, the one in the nappe that grows along the axis.
+/// \param along  how fast the line runs that way
 template <class W>
-RAIO_FN constexpr chord<W> one_nappe(const quadric_chord<W>& c, const mask_t<W>& line_runs_along) {
-    const mask_t<W> yes = W(0) == W(0), forward = every(c.hollow, line_runs_along), back = every(c.hollow, !forward);
-    const crossing<W>&near = c.ends.near, &far = c.ends.far;
-    W from = select(forward, far.t, select(back, -infinity<W>, near.t));
-    W to = select(back, near.t, select(forward, infinity<W>, far.t));
-    return {{near.exists, near.certain, from, near.error, yes}, {far.exists, far.certain, to, far.error, !yes}};
+RAIO_FN constexpr chord<W> one_nappe(const hollow_chord<W>& c, const bounded_number<W>& along) {
+    const mask_t<W> forward = every(c.hollow, is_positive(along).yes), back = every(c.hollow, !forward);
+    chord<W> nappe{select(forward, c.ends.far, c.ends.near), select(back, c.ends.near, c.ends.far)};
+    nappe.near.t = select(back, -infinity<W>, nappe.near.t), nappe.far.t = select(forward, infinity<W>, nappe.far.t);
+    nappe.near.entering = W(0) == W(0), nappe.far.entering = W(0) != W(0);
+    return nappe;
 }
 
 /// From the end with the lesser radius to the other.
@@ -45,22 +47,23 @@ RAIO_FN constexpr revolved_quadric<W> nappes(const vec3<W>& widening_axis, const
 }
 
 /// The chord through the one nappe, endless at its wide end.
-/// \param to_end  from the origin of the ray to the end with the lesser radius
-/// \param far     at least as long; to_end is off by a rounding of that
-template <class W, real T>
-RAIO_FN constexpr chord<W> cross_nappe(const revolved_quadric<W>& cone, const vec2<T>& radii, const vec3<W>& to_end,
-                                       const bound_t<W>& far, const vec3<W>& d) {
-    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0));
-    chord<W> c = one_nappe(cross_quadric(cone, to_end, far, d), dot(d, cone.axis) > W(0));
-    c.near.exists = c.far.exists = every(c.near.exists, sound);
-    return c;
-}
-template <class W, real T, real R>
+template <class W, class R, real T>
 RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
-                                       const ray<R>& ray) {
-    vec3<W> to_end = difference_as<W>(select(radii.y < radii.x, top, base), ray.origin);
-    return cross_nappe(nappes(widening_axis<W>(base, top, radii), radii), radii, to_end,
-                       norm1(vec3<bound_t<W>>(to_end)), vec3<W>(ray.direction));
+                                       const line<W, R>& line) {
+    const mask_t<T> turned = radii.y < radii.x;
+    const vec3<T> low = select(turned, top, base), high = select(turned, base, top);
+    const T lesser = select(turned, radii.y, radii.x), greater = select(turned, radii.x, radii.y);
+    const auto r = line.given(lesser), widening = line.between(lesser, greater);
+    const auto d = line.direction();
+    const auto axis = line.between(low, high);
+    const zero_number<W> none;
+    chord<W> c =
+        one_nappe(cross_quadric(d, line.to(low), axis, turned_conic{r * r, r * widening, widening * widening, none},
+                                line.given(greater)),
+                  dot(d, axis));
+    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0));
+    c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
+    return c;
 }
 
 /// What of a way out of a cone is not along the ray. That is the normal at an apex, where a cone has none, and close to
@@ -192,7 +195,7 @@ struct frustum {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> nappe = detail::cross_nappe<W>(base, top, radii(), ray);
+        chord<W> nappe = detail::cross_nappe(base, top, radii(), line<W, R>{ray});
         if (missed(nappe)) return nappe;
         chord<W> c = intersect(nappe, detail::cross_cap_planes<W>(base, top, ray));
         keep_if_reachable<T>(ray, c);
@@ -236,7 +239,7 @@ struct open_frustum {
     /// Either crossing counts on its own, if it lies between the two planes.
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = detail::cross_nappe<W>(base, top, radii(), ray);
+        chord<W> c = detail::cross_nappe(base, top, radii(), line<W, R>{ray});
         if (missed(c)) return c;
         chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};

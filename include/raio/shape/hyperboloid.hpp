@@ -47,38 +47,50 @@ RAIO_FN constexpr revolved_quadric<W> endless_hyperboloid(const vec3<T>& base, c
     return {difference_as<W>(top, base), side.v, side.c0, W(0), side.c2, -side.c0 * side.c2, side.radius};
 }
 
+/// The side as it is turned about the axis, with h = 0 in the middle and -1/2 and 1/2 at the ends.
+template <class W, class R, real T>
+RAIO_FN constexpr auto one_sheet_on(const line<W, R>& line, const T& waist, const T& end) {
+    const auto w = line.given(waist);
+    const auto c0 = w * w, c2 = line.given(T(4)) * (line.between(waist, end) * line.between(-waist, end));
+    const zero_number<W> none;
+    return turned_conic{c0, none, c2, -(c0 * c2)};
+}
+
+/// No radius, or the largest.
+template <real T>
+RAIO_FN constexpr T largest_radius(const T& waist, const T& end) {
+    return select(every(waist > T(0), end > T(0)), max(waist, end), T(0));
+}
+
 /// Where the line is inside the endless hyperboloid.
-template <class W, real T, real R>
-RAIO_FN constexpr quadric_chord<W> cross_endless_hyperboloid(const vec3<T>& base, const vec3<T>& top,
-                                                             const hyperboloid_side<W>& side, const ray<R>& ray) {
-    vec3<W> to_base = difference_as<W>(base, ray.origin), to_top = difference_as<W>(top, ray.origin);
-    vec3<W> to_center = (to_base + to_top) * W(0.5);
-    bound_t<W> far = norm1(vec3<bound_t<W>>(to_base)) + norm1(vec3<bound_t<W>>(to_top));
-    return cross_quadric(endless_hyperboloid(base, top, side), to_center, far, vec3<W>(ray.direction));
+template <class W, class R, real T, class Side>
+RAIO_FN constexpr hollow_chord<W> cross_endless_hyperboloid(const vec3<T>& base, const vec3<T>& top, const Side& side,
+                                                            const T& radius, const line<W, R>& line) {
+    return cross_quadric(line.direction(), line.to_middle(base, top), line.between(base, top), side,
+                         line.given(radius));
 }
 
 /// The crossings with the solid between the caps. (A line that is inside before and after the side's two ends enters it
 /// and leaves it by the caps.)
-template <class W, real T, real R, class Wanted>
-RAIO_FN constexpr chords_for_t<W, Wanted> cross_capped(const vec3<T>& base, const vec3<T>& top,
-                                                       const hyperboloid_side<W>& side, const ray<R>& ray,
-                                                       const Wanted& wanted) {
-    const quadric_chord<W> c = cross_endless_hyperboloid(base, top, side, ray);
+template <class W, class R, real T, class Side, class Wanted>
+RAIO_FN constexpr chords_for_t<W, Wanted> cross_capped(const vec3<T>& base, const vec3<T>& top, const Side& side,
+                                                       const T& radius, const line<W, R>& line, const Wanted& wanted) {
+    hollow_chord<W> c = cross_endless_hyperboloid(base, top, side, radius, line);
     if (missed(c.ends)) return nowhere_at_all<Wanted>(c.ends);
-    auto parts = intersect(c, cross_cap_planes<W>(base, top, ray), wanted);
-    keep_if_reachable<T>(ray, parts);
+    auto parts = intersect(c, cross_cap_planes<W>(base, top, line.ray), wanted);
+    keep_if_reachable<T>(line.ray, parts);
     return parts;
 }
 
 /// The crossings with the side alone: either counts on its own, if it lies between the two planes.
-template <class W, real T, real R>
-RAIO_FN constexpr chord<W> cross_side(const vec3<T>& base, const vec3<T>& top, const hyperboloid_side<W>& side,
-                                      const ray<R>& ray) {
-    chord<W> c = cross_endless_hyperboloid(base, top, side, ray).ends;
+template <class W, class R, real T, class Side>
+RAIO_FN constexpr chord<W> cross_side(const vec3<T>& base, const vec3<T>& top, const Side& side, const T& radius,
+                                      const line<W, R>& line) {
+    chord<W> c = cross_endless_hyperboloid(base, top, side, radius, line).ends;
     if (missed(c)) return c;
-    chord<W> slab = cross_cap_planes<W>(base, top, ray);
+    chord<W> slab = cross_cap_planes<W>(base, top, line.ray);
     c = {within(slab, c.near), within(slab, c.far)};
-    keep_if_reachable<T>(ray, c);
+    keep_if_reachable<T>(line.ray, c);
     return c;
 }
 
@@ -172,7 +184,9 @@ struct hyperboloid {
 
     template <class W, real R, class Wanted = every_crossing>
     RAIO_FORMULA constexpr chords_for_t<W, Wanted> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        return detail::cross_capped(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray, wanted);
+        const line<W, R> line{ray};
+        return detail::cross_capped(base, top, detail::one_sheet_on(line, waist_radius, end_radius),
+                                    detail::largest_radius(waist_radius, end_radius), line, wanted);
     }
 
     template <class W, real R, real N>
@@ -212,7 +226,9 @@ struct open_hyperboloid {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        return detail::cross_side(base, top, detail::one_sheet<W>(waist_radius, end_radius), ray);
+        const line<W, R> line{ray};
+        return detail::cross_side(base, top, detail::one_sheet_on(line, waist_radius, end_radius),
+                                  detail::largest_radius(waist_radius, end_radius), line);
     }
 
     template <class W, real R, real N>

@@ -26,12 +26,14 @@ RAIO_FN constexpr revolved_quadric<W> endless_paraboloid(const vec3<T>& vertex, 
 }
 
 /// The chord through the endless paraboloid.
-template <class W, real T, real R>
-RAIO_FN constexpr chord<W> cross_endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, T radius,
-                                                    const ray<R>& ray) {
-    vec3<W> to_center = difference_as<W>(vertex, ray.origin);
-    return cross_quadric(endless_paraboloid<W>(vertex, top, radius), to_center, norm1(vec3<bound_t<W>>(to_center)),
-                         vec3<W>(ray.direction))
+template <class W, class R, real T>
+RAIO_FN constexpr chord<W> cross_endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, const T& radius,
+                                                    const line<W, R>& line) {
+    const auto r = line.given(radius);
+    const auto c1 = line.given(T(0.5)) * (r * r);
+    const zero_number<W> none;
+    return cross_quadric(line.direction(), line.to(vertex), line.between(vertex, top),
+                         turned_conic{none, c1, none, c1 * c1}, r)
         .ends;
 }
 
@@ -121,7 +123,7 @@ struct paraboloid {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> endless = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
+        chord<W> endless = detail::cross_endless_paraboloid(vertex, top, radius, line<W, R>{ray});
         if (missed(endless)) return endless;
         chord<W> c = intersect(endless, detail::cross_upper_plane<W>(vertex, top, ray));
         keep_if_reachable<T>(ray, c);
@@ -162,7 +164,7 @@ struct open_paraboloid {
     /// Either crossing counts on its own, if it lies below the rim.
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = detail::cross_endless_paraboloid<W>(vertex, top, radius, ray);
+        chord<W> c = detail::cross_endless_paraboloid(vertex, top, radius, line<W, R>{ray});
         if (missed(c)) return c;
         chord<W> slab = detail::cross_upper_plane<W>(vertex, top, ray);
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};

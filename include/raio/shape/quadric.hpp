@@ -20,8 +20,6 @@ namespace raio {
 /// hyperboloids, two planes, one, or none. A cone's tip, where the gradient of f vanishes, has the normal against the
 /// ray. x, y, z and uv are as for `algebraic`.
 ///
-/// Along a line f is a parabola, by the place on that part of the line which is near the box and in units of its size,
-/// so that its coefficients have the size of f there.
 template <real T, bool Closed = true>
 struct quadric {
     using number = T;
@@ -63,10 +61,10 @@ struct quadric {
         clip.near.face = clip.near.face + first_of_box, clip.far.face = clip.far.face + first_of_box;
         if constexpr (Closed) {
             if (missed(clip)) return nowhere_at_all<Wanted>(clip);
-            return intersect(cross_endless<W>(ray), clip, wanted);
+            return intersect(cross_endless(line<W, R>{ray}), clip, wanted);
         } else {
             if (missed(clip)) return clip;
-            const chord<W> ends = cross_endless<W>(ray).ends;
+            const chord<W> ends = cross_endless(line<W, R>{ray}).ends;
             return {detail::within(clip, ends.near), detail::within(clip, ends.far)};
         }
     }
@@ -113,55 +111,44 @@ private:
     }
 
     /// Where the line is inside of what the box does not cut off.
-    template <class W, real R>
-    RAIO_FN constexpr quadric_chord<W> cross_endless(const ray<R>& ray) const {
+    ///
+    /// The line is seen from a place of it near the box, in steps as long as the box is large, and f in parts of the
+    /// size that its terms have there: so nothing here is beyond the range of numbers. Which place, step and part that
+    /// is, does not matter. With a place p and a step s it is f(p + x s) = a x^2 - 2 b x + c, where
+    ///
+    ///     a = s.M s,   b = -(p.M s + linear.s / 2),   c = f(p)
+    template <class W, class R>
+    RAIO_FN constexpr hollow_chord<W> cross_endless(const line<W, R>& line) const {
         using E = bound_t<W>;
-        constexpr double u = unit_roundoff<W>;
-        // A place x is at t = (along + unit x) / speed. All of the box lies between x = -4 and 4. A line that starts
-        // near it is seen from its origin: what is close to that keeps its digits.
-        vec3<W> o(ray.origin), low(min), high(max), center = (low + high) * W(0.5), to_center = center - o;
-        W zero(0), over_speed = quotient(W(1), norm1(vec3<W>(ray.direction)), zero), unit = norm1(high - low);
-        vec3<W> e = vec3<W>(ray.direction) * over_speed, away = abs(to_center), wide = (high - low) * W(0.625);
+        // What is close to the origin of a line that starts near the box keeps its digits. Others are seen from where
+        // they are nearest to its centre. All of the box lies between x = -4 and 4.
+        const vec3<W> low(min), high(max), o(line.ray.origin), d(line.ray.direction), center = (low + high) * W(0.5);
+        const vec3<W> away = abs(center - o), wide = (high - low) * W(0.625);
         const mask_t<W> starts_near = every(away.x <= wide.x, away.y <= wide.y, away.z <= wide.z);
-        W along = select(starts_near, zero, quotient(dot(to_center, e), dot(e, e), zero));
-        vec3<W> from = o + e * along, step = e * unit, bent = times(step);
+        const W over_speed = quotient(W(1), norm1(d), W(0)), size = norm1(high - low);
+        const vec3<W> e = d * over_speed;
+        const W nearest = quotient(raio::dot(center - o, e), raio::dot(e, e), W(0)) * over_speed;
+        const E far = norm1(vec3<E>(center)) + E(size);
+        const auto place = line.given(select(starts_near, W(0), nearest));
+        const auto unit = line.given(W(E(size) * E(over_speed)));
+        const auto part = line.given(W(quotient(E(1), terms_within<W>(far), E(0))));
 
-        W c = value(from);
-        parabola<W> f;
-        f.a = dot(step, bent), f.b = -(dot(from, bent) + dot(vec3<W>(linear), step) * W(0.5));
-
-        // Each of the three is off by roundings of its terms, and by as much as the place is off times the steepness.
-        E second = second_degree<W>(), first = norm1(vec3<E>(vec3<W>(linear))), near = norm1(vec3<E>(from));
-        E way = norm1(vec3<E>(o)) + abs(E(along)), off = E(8 * u) * way, pace = norm1(vec3<E>(step));
-        E steep = second * near + first;
-        f.a_error = E(32 * u) * second * pace * pace;
-        f.b_error = (E(32 * u) * steep + second * off) * pace;
-        E c_error = E(32 * u) * terms_within<W>(near) + (E(2) * steep + second * off) * off;
-
-        // Squares of what has the size of f's terms in the box are in the range of numbers: of W if not of T.
-        E far = norm1(vec3<E>(center)) + E(unit), over_terms = quotient(E(1), terms_within<W>(far), E(0));
-        W scale(over_terms);
-        f.a = f.a * scale, f.b = f.b * scale, c = c * scale, f.square = f.b * f.b - f.a * c;
-        f.a_error = f.a_error * over_terms, f.b_error = f.b_error * over_terms, c_error = c_error * over_terms;
-        E a_size = abs(E(f.a)), b_size = abs(E(f.b)), c_size = abs(E(c));
-        f.square_error = f.b_error * (E(2) * b_size + f.b_error) + f.a_error * (c_size + c_error) + c_error * a_size +
-                         E(4 * u) * (b_size * b_size + a_size * c_size);
-        f.in_range = every(is_finite(over_terms + E(over_speed)), off <= E(0x1p-10) * far);
-        const mask_t<W> exists =
-            every(wide.x > zero, wide.y > zero, wide.z > zero, over_terms > E(0), over_speed > zero);
-        quadric_chord<W> ends = cross_parabola(f, E(8), exists, zero != zero, [&] {
-            return bounded_number<W>{c, c_error};
-        });
-
-        const auto at = [&](const crossing<W>& end) {
-            E error = E(unit) * end.error + E(8 * u) * (abs(E(along)) + E(unit) * abs(E(end.t)));
-            return crossing<W>{end.exists, end.certain, (along + unit * end.t) * over_speed,
-                               with_underflow<W>(error * E(over_speed)), end.entering};
+        const auto diagonal = line.given(squares) * part, beside = line.given(products) * part;
+        const auto first = line.given(linear) * part;
+        const auto zeroth = line.given(constant) * part, half = line.given(W(0.5));
+        const auto f = [&](const auto& p) {
+            return symmetric_product(diagonal, beside, p, p) + raio::dot(first, p) + zeroth;
         };
-        ends.ends = {at(ends.ends.near), at(ends.ends.far)};
-        const auto starts = [&] { return abs(E(value(o))) <= E(32 * u) * terms_within<W>(norm1(vec3<E>(o))); };
-        if constexpr (!only_sieves<W>) start_on_surface(ends.ends, starts);
-        return ends;
+        const auto p = line.origin() + line.direction() * place, step = line.direction() * unit;
+        const auto a = symmetric_product(diagonal, beside, step, step);
+        const auto b = -(symmetric_product(diagonal, beside, p, step) + half * raio::dot(first, step));
+        const auto c = f(p);
+        const auto sound = every(is_positive(line.given(wide.x)), is_positive(line.given(wide.y)),
+                                 is_positive(line.given(wide.z)), is_positive(part), is_positive(unit));
+        hollow_chord<W> inside = where_below_zero(
+            a, b, square(b) - a * c, sound, W(0) != W(0), [&] { return c; }, [] { return E(4); });
+        move_on(inside, place, unit, [&] { return f(line.origin()); });
+        return inside;
     }
 };
 

@@ -162,7 +162,7 @@ private:
         // Spheres that touch from inside leave no side between them.
         const mask_t<W> sided = E(cone.apart) > tie<W>(E(8 * unit_roundoff<W>) * E(dot(axis, axis)));
         chord<W> c = detail::one_nappe(cross_quadric(cone.surface, to_center, norm1(vec3<E>(to_center)), d),
-                                       dot(d, axis) > W(0));
+                                       bounded_number<W>(dot(d, axis), E(0)));
         if (missed(c)) return c;
         const auto above = [&](const vec3<T>& center, T radius) {
             plane_height<W> height = height_above<W>(axis, center, ray.origin);

@@ -23,6 +23,22 @@ RAIO_FN constexpr hyperboloid_side<W> two_sheets(T gap, T end_radius) {
     return {select(sound, (W(1) - g) * (W(1) + g), W(1)), -(g * g) * end2, W(4) * end2, select(sound, end, W(0)), g};
 }
 
+/// The side as it is turned about the axis, with h = 0 in the middle and -1/2 and 1/2 at the ends.
+template <class W, class R, real T>
+RAIO_FN constexpr auto two_sheets_on(const line<W, R>& line, const T& gap, const T& end) {
+    const auto g2 = square(line.given(gap));
+    const auto scale = square(line.given(end)) * inverse(line.between(gap, T(1)) * line.between(-gap, T(1)));
+    const auto c0 = -(g2 * scale), c2 = line.given(T(4)) * scale;
+    const zero_number<W> none;
+    return turned_conic{c0, none, c2, -(c0 * c2)};
+}
+
+/// No radius, or the largest.
+template <real T>
+RAIO_FN constexpr T radius_beyond(const T& gap, const T& end) {
+    return select(every(gap > T(0), gap < T(1)), end, T(0));
+}
+
 }  // namespace detail
 
 /// The points inside both sheets of a hyperboloid, up to its two ends: closed, a solid in two parts.
@@ -58,7 +74,9 @@ struct two_sheet_hyperboloid {
 
     template <class W, real R, class Wanted = every_crossing>
     RAIO_FORMULA constexpr chords_for_t<W, Wanted> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        return detail::cross_capped(base, top, detail::two_sheets<W>(gap, end_radius), ray, wanted);
+        const line<W, R> line{ray};
+        return detail::cross_capped(base, top, detail::two_sheets_on(line, gap, end_radius),
+                                    detail::radius_beyond(gap, end_radius), line, wanted);
     }
 
     template <class W, real R, real N>
@@ -97,7 +115,9 @@ struct open_two_sheet_hyperboloid {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        return detail::cross_side(base, top, detail::two_sheets<W>(gap, end_radius), ray);
+        const line<W, R> line{ray};
+        return detail::cross_side(base, top, detail::two_sheets_on(line, gap, end_radius),
+                                  detail::radius_beyond(gap, end_radius), line);
     }
 
     template <class W, real R, real N>
