@@ -47,23 +47,28 @@ RAIO_FN constexpr revolved_quadric<W> nappes(const vec3<W>& widening_axis, const
 }
 
 /// The chord through the one nappe, endless at its wide end.
+/// \param l     from the point where the line has t = 0 to the end with the lesser radius
+/// \param axis  from there to the end with the greater one
+template <class W, class R, real T, proven_vector L, proven_vector A>
+RAIO_FN constexpr chord<W> cross_nappe(const line<W, R>& line, const L& l, const A& axis, const T& lesser,
+                                       const T& greater) {
+    auto r = line.given(lesser);
+    auto widening = line.between(lesser, greater);
+    auto d = line.direction();
+    zero_number<W> none;
+    turned_conic side{r * r, r * widening, widening * widening, none};
+    chord<W> c = one_nappe(cross_quadric(d, l, axis, side, line.given(greater)), dot(d, axis));
+    const mask_t<W> sound = every(lesser >= T(0), greater >= T(0));
+    c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
+    return c;
+}
 template <class W, class R, real T>
 RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
                                        const line<W, R>& line) {
     const mask_t<T> turned = radii.y < radii.x;
     const vec3<T> low = select(turned, top, base), high = select(turned, base, top);
-    const T lesser = select(turned, radii.y, radii.x), greater = select(turned, radii.x, radii.y);
-    const auto r = line.given(lesser), widening = line.between(lesser, greater);
-    const auto d = line.direction();
-    const auto axis = line.between(low, high);
-    const zero_number<W> none;
-    chord<W> c =
-        one_nappe(cross_quadric(d, line.to(low), axis, turned_conic{r * r, r * widening, widening * widening, none},
-                                line.given(greater)),
-                  dot(d, axis));
-    const mask_t<W> sound = every(radii.x >= T(0), radii.y >= T(0));
-    c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
-    return c;
+    return cross_nappe(line, line.to(low), line.between(low, high), select(turned, radii.y, radii.x),
+                       select(turned, radii.x, radii.y));
 }
 
 /// What of a way out of a cone is not along the ray. That is the normal at an apex, where a cone has none, and close to

@@ -11,23 +11,16 @@ namespace raio {
 
 namespace detail {
 
-/// The crossing with the plane, if it lies between both rims.
-template <class W, real T>
-RAIO_FN constexpr crossing<W> between_rims(const crossing_about<W>& plane, const T& inner_radius,
-                                           const T& outer_radius) {
-    using E = bound_t<W>;
-    constexpr double u = unit_roundoff<W>;
-    auto [c, distance2, distance2_error] = plane;
-    W outer2 = W(outer_radius) * W(outer_radius), inner2 = W(inner_radius) * W(inner_radius);
-    W from_outer = outer2 - distance2, from_inner = distance2 - inner2;
-    E outer_slack = with_underflow<W>(distance2_error + E(8 * u) * E(outer2));
-    E inner_slack = with_underflow<W>(distance2_error + E(8 * u) * E(inner2));
-    const mask_t<W> spread = every(inner_radius >= T(0), outer_radius > inner_radius);
-    c.exists = every(c.exists, from_outer >= -tie<W>(outer_slack, E(outer2)),
-                     from_inner >= -tie<W>(inner_slack, E(inner2)), spread);
-    c.certain = every(c.certain, some(abs(from_outer) > outer_slack, from_inner < -inner_slack),
-                      some(abs(from_inner) > inner_slack, from_outer < -outer_slack));
-    return c;
+/// Where a line meets a plane, if that is between both rims.
+/// \param to_center  from the point where the line has t = 0
+template <class W, proven_vector N, proven_vector L>
+RAIO_FN constexpr crossing<W> cross_between_rims(const given_vector<W>& d, const N& n, const L& to_center,
+                                                 const given_number<W>& inner, const given_number<W>& outer) {
+    auto speed = dot(n, d), t = dot(n, to_center) * inverse(speed);
+    auto distance2 = square(d * t - to_center);
+    auto exists = every(inner >= given_number<W>{W(0)}, outer > inner, is_positive(abs(speed)),
+                        distance2 >= inner * inner, outer * outer >= distance2);
+    return crossing_at(exists, t, speed.value < W(0));
 }
 
 }  // namespace detail
@@ -77,14 +70,8 @@ struct ring {
 
     template <class W, real R>
     RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
-        const auto n = line.given(normal), d = line.direction();
-        const auto inner = line.given(inner_radius), outer = line.given(outer_radius);
-        const auto to_center = line.to(center);
-        const auto speed = dot(n, d), t = dot(n, to_center) * inverse(speed);
-        const auto distance2 = square(d * t - to_center);
-        const auto exists = every(inner >= line.given(T(0)), outer > inner, is_positive(abs(speed)),
-                                  distance2 >= inner * inner, outer * outer >= distance2);
-        return crossing_at(exists, t, speed.value < W(0));
+        return detail::cross_between_rims(line.direction(), line.given(normal), line.to(center),
+                                          line.given(inner_radius), line.given(outer_radius));
     }
 
     template <class W, real R, real N>

@@ -28,30 +28,29 @@ struct revolved_piece<T, 1> {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        using E = bound_t<W>;
-        vec3<W> a(axis), d(ray.direction), origin = difference_as<W>(ray.origin, base);
-        const auto seen_from = [&](const T& height) {
-            vec3<W> on_axis = product_as<W>(axis, height), l = origin - on_axis;
-            vec3<E> sizes = (abs(vec3<E>(origin)) + abs(vec3<E>(on_axis))) * E(2);
-            E error = with_underflow<W>(E(4 * unit_roundoff<W>) * dot(abs(vec3<E>(a)), sizes));
-            return axis_point<W>{l, norm1(sizes), {dot(a, l), error}};
-        };
+        return crossings(line<W, R>{ray});
+    }
+
+    template <class W, real R>
+    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
+        auto a = line.given(axis), d = line.direction();
+        const auto to_axis_at = [&](const T& height) { return line.to(base) + a * line.given(height); };
         chord<W> c{};
         c.far.certain = true;
         if (is_flat()) {
-            const auto center = seen_from(from.y);
-            c.near = between_rims(cross_plane_about(a, center.to_origin, center.far, center.above, d),
-                                  min(from.x, to.x), max(from.x, to.x));
+            c.near = cross_between_rims(d, a, to_axis_at(from.y), line.given(min(from.x, to.x)),
+                                        line.given(max(from.x, to.x)));
         } else {
-            const auto narrow = seen_from(narrow_end().y), wide = seen_from(wide_end().y);
-            c = cross_nappe(cone<W>(), vec2<T>(from.x, to.x), -narrow.to_origin, narrow.far, d);
+            auto to_narrow = to_axis_at(narrow_end().y), to_wide = to_axis_at(wide_end().y);
+            auto along = a * line.between(narrow_end().y, wide_end().y);
+            c = cross_nappe(line, to_narrow, along, narrow_end().x, wide_end().x);
             if (missed(c)) return c;
             const bool widens = narrow_end().y < wide_end().y;
-            chord<W> slab =
-                widens ? cross_slab(a, narrow.above, wide.above, d) : cross_slab(a, wide.above, narrow.above, d);
+            chord<W> slab = widens ? cross_slab<W>(a, dot(a, to_narrow), dot(a, to_wide), d)
+                                   : cross_slab<W>(a, dot(a, to_wide), dot(a, to_narrow), d);
             c = {within(slab, c.near), within(slab, c.far)};
         }
-        keep_if_reachable<T>(ray, c);
+        keep_if_reachable<T>(line.ray, c);
         return c;
     }
 
@@ -88,25 +87,9 @@ struct revolved_piece<T, 1> {
     }
 
 private:
-    /// A point of the axis: from there to the ray's origin, a bound of which that is off by a rounding, and how high
-    /// the origin is above it.
-    template <class W>
-    struct axis_point {
-        vec3<W> to_origin;
-        bound_t<W> far;
-        plane_height<W> above;
-    };
-
     RAIO_FN constexpr bool is_flat() const { return from.y == to.y; }
     RAIO_FN constexpr const vec2<T>& narrow_end() const { return to.x < from.x ? to : from; }
     RAIO_FN constexpr const vec2<T>& wide_end() const { return to.x < from.x ? from : to; }
-
-    /// The side; its axis is off by two roundings.
-    template <class W>
-    RAIO_FN constexpr revolved_quadric<W> cone() const {
-        W height = difference_as<W>(wide_end().y, narrow_end().y);
-        return nappes(product_as<W>(axis, height), vec2<T>(from.x, to.x));
-    }
 
     /// The shape in the precision of W, as seen from `from_base`.
     template <real W>
