@@ -63,16 +63,18 @@ struct round_cone {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = detail::with_round_ends(cross_side<W>(ray), low_end(), high_end(), ray);
+        return crossings(line<W, R>{ray});
+    }
+
+    template <class W, real R>
+    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
+        chord<W> c = detail::with_round_ends(cross_side(line), low_end(), high_end(), line.ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
-        vec3<W> axis = difference_as<W>(top, base);
-        const T lesser = min(base_radius, top_radius);
-        const mask_t<W> slim = W(lesser) * W(lesser) < W(0x1p-120) * dot(axis, axis);
-        const mask_t<W> sound =
-            every(is_finite(base), is_finite(top), lesser > T(0), is_finite(base_radius + top_radius), !slim);
-        c.near.exists = every(c.near.exists, sound);
-        c.far.exists = every(c.far.exists, sound);
-        keep_if_reachable<T>(ray, c);
+        auto lesser = line.given(min(base_radius, top_radius)), slim = line.given(T(0x1p-120));
+        c = only_if(every(is_positive(lesser), lesser * lesser >= square(line.between(base, top)) * slim), c);
+        const mask_t<W> sound = every(is_finite(base), is_finite(top), is_finite(base_radius + top_radius));
+        c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
+        keep_if_reachable<T>(line.ray, c);
         return c;
     }
 
@@ -125,58 +127,21 @@ private:
                 max(base_radius, top_radius)};
     }
 
-    /// The cone that touches both spheres; the lesser one is at the base.
-    template <class W>
-    struct touching_cone {
-        W widening;  ///< from the base to the top
-        W apart;     ///< D
-        revolved_quadric<W> surface;
-
-        RAIO_FN constexpr explicit touching_cone(const round_cone& s) {
-            vec3<W> axis = difference_as<W>(s.top, s.base);
-            W axis2 = dot(axis, axis);
-            const W r(s.base_radius);
-            widening = W(s.top_radius) - r;
-            apart = axis2 - widening * widening;
-            const mask_t<W> precise = axis2 >= W(8) * (axis2 - apart);  // it cancels where the cone is wide
-            if (!only_sieves<W> && !all(precise)) {
-                using X = std::conditional_t<looks_closer<W>, basic_double_double<W>, exact_t<T>>;
-                vec3<X> exact_axis = difference_as<X>(s.top, s.base);
-                X exact_widening = X(s.top_radius) - X(s.base_radius), exact_axis2 = dot(exact_axis, exact_axis);
-                axis2 = select(precise, axis2, W(exact_axis2));
-                apart = select(precise, apart, W(exact_axis2 - exact_widening * exact_widening));
-            }
-            W scale = quotient(axis2, max(apart, W(0)), W(0));
-            surface = {axis, W(1),           scale * r * r, W(2) * scale * r * widening, scale * widening * widening,
-                       W(0), W(s.top_radius)};
-        }
-    };
-
-    /// The chord through the cone, between the circles where it touches the spheres.
+    /// The chord through the cone that touches both spheres, between the circles where it does.
     template <class W, real R>
-    RAIO_FN constexpr chord<W> cross_side(const ray<R>& ray) const {
-        using E = bound_t<W>;
+    RAIO_FN constexpr chord<W> cross_side(const line<W, R>& line) const {
         const round_cone s = narrow_first();
-        const touching_cone<W> cone(s);
-        vec3<W> axis = cone.surface.axis, d(ray.direction), to_center = difference_as<W>(s.base, ray.origin);
+        auto axis = line.between(s.base, s.top), l = line.to(s.base);
+        auto d = line.direction();
+        auto r = line.given(s.base_radius), greater = line.given(s.top_radius);
+        auto w = line.between(s.base_radius, s.top_radius);
+        auto axis2 = square(axis), apart = axis2 - w * w, scale = axis2 * inverse(apart);
+        zero_number<W> none;
+        turned_conic cone{scale * (r * r), scale * (r * w), scale * (w * w), none};
+        chord<W> c = detail::one_nappe(cross_quadric(d, l, axis, cone, greater), dot(d, axis));
+        auto to_base = dot(axis, l) - w * r, to_top = dot(axis, line.to(s.top)) - w * greater;
         // Spheres that touch from inside leave no side between them.
-        const mask_t<W> sided = E(cone.apart) > tie<W>(E(8 * unit_roundoff<W>) * E(dot(axis, axis)));
-        chord<W> c = detail::one_nappe(cross_quadric(cone.surface, to_center, norm1(vec3<E>(to_center)), d),
-                                       bounded_number<W>(dot(d, axis), E(0)));
-        if (missed(c)) return c;
-        const auto above = [&](const vec3<T>& center, T radius) {
-            plane_height<W> height = height_above<W>(axis, center, ray.origin);
-            W lower = cone.widening * W(radius);
-            height.value += lower;
-            height.error += with_underflow<W>(E(4 * unit_roundoff<W>) * (abs(E(height.value)) + E(lower)));
-            return height;
-        };
-        c = intersect(c, detail::cross_slab(axis, above(s.base, s.base_radius), above(s.top, s.top_radius), d));
-        for (crossing<W>* end : {&c.near, &c.far}) {
-            end->exists = every(end->exists, sided);
-            end->certain = some(end->certain, !sided);
-        }
-        return c;
+        return only_if(is_positive(apart), intersect(c, detail::cross_slab<W>(axis, to_base, to_top, d)));
     }
 };
 
