@@ -53,7 +53,8 @@ RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, 
     const mask_t<T> turned = radii.y < radii.x;
     const vec3<T> low = select(turned, top, base), high = select(turned, base, top);
     const T lesser = select(turned, radii.y, radii.x), greater = select(turned, radii.x, radii.y);
-    const auto r = line.given(lesser), widening = line.between(lesser, greater);
+    const auto r = line.given(lesser);
+    const auto widening = line.between(lesser, greater);
     const auto d = line.direction();
     const auto axis = line.between(low, high);
     const zero_number<W> none;
