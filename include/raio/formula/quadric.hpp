@@ -52,11 +52,16 @@ turned_conic(C0, C1, C2, D) -> turned_conic<C0, C1, C2, D>;
 template <class W, int K, proven_vector L, proven_number Radius, class... Conic>
 RAIO_FN constexpr hollow_chord<W> cross_quadric(const given_vector<W>& d, const L& l, const rounded_vector<W, K>& axis,
                                                 const turned_conic<Conic...>& conic, const Radius& radius) {
-    const auto& [c0, c1, c2, discriminant] = conic;
+    const auto c0 = conic.c0;
+    const auto c1 = conic.c1;
+    const auto c2 = conic.c2;
+    const auto discriminant = conic.discriminant;
     const auto two = given_number<W>{W(2)};
     const auto n = cross(d, axis), m = cross(l, d);
     const auto n2 = square(n), mn = dot(m, n), m2 = square(m);
-    const auto d2 = square(d), axis2 = square(axis), k = c2 * inverse(axis2);
+    const auto d2 = square(d);
+    const auto axis2 = square(axis);
+    const auto k = c2 * inverse(axis2);
     const auto stretched = [&](const auto& x) { return x + k * x; };
     const auto g = dot(d, axis);
     const auto a = stretched(n2) - c2 * d2;
@@ -70,7 +75,8 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const given_vector<W>& d, const 
     }();
     if (const auto missed = is_above_zero(a, b2_less_ac); may_leave<W>(missed)) return {nowhere<W>(missed), !missed};
 
-    const auto over_d2 = inverse(d2), w = mn * over_d2, tilt = stretched(w) + c1;
+    const auto over_d2 = inverse(d2);
+    const auto w = mn * over_d2, tilt = stretched(w) + c1;
     const auto constant = [&] { return axis2 * (m2 * over_d2 - c0) - w * (tilt + c1); };
     const auto extent = [&] { return (size_of(axis) + size_of(radius)) * size_of(d) * size_of(over_d2); };
     // Where the axis meets the surface, a line that is steep enough cannot miss it.
@@ -116,7 +122,8 @@ template <class W>
 RAIO_FN constexpr hollow_chord<W> cross_quadric(const revolved_quadric<W>& s, const vec3<W>& to_center,
                                                 const bound_t<W>& far, const vec3<W>& d) {
     using number = rounded_number<W, 8>;
-    const auto over_v = inverse(number{s.v}), half = number{W(0.5)};
+    const auto over_v = inverse(number{s.v});
+    const auto half = number{W(0.5)};
     const turned_conic conic{number{s.c0} * over_v, half * number{s.c1} * over_v, number{s.c2} * over_v,
                              number{s.discriminant} * over_v * over_v};
     const bounded_vector<W> l{to_center.x, to_center.y, to_center.z, bound_t<W>(unit_roundoff<W>) * far};

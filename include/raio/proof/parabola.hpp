@@ -112,7 +112,7 @@ RAIO_FN constexpr void move_on(hollow_chord<W>& c, const bounded_number<W>& plac
     for (crossing<W>* end : {&c.ends.near, &c.ends.far}) {
         end->t = end->t + place.value, end->error = detail::rounded_up<W>(end->error + off);
     }
-    if constexpr (last_precision<W>) {
+    if constexpr (!only_sieves<W>) {
         start_on_surface(c.ends, [&] {
             const bounded_number<W> zero = at_origin();
             return size_of(zero) <= detail::rounded_up<W>(zero.error);

@@ -51,7 +51,8 @@ RAIO_FN constexpr revolved_quadric<W> endless_hyperboloid(const vec3<T>& base, c
 template <class W, class R, real T>
 RAIO_FN constexpr auto one_sheet_on(const line<W, R>& line, const T& waist, const T& end) {
     const auto w = line.given(waist);
-    const auto c0 = w * w, c2 = line.given(T(4)) * (line.between(waist, end) * line.between(-waist, end));
+    const auto c0 = w * w;
+    const auto c2 = line.given(T(4)) * (line.between(waist, end) * line.between(-waist, end));
     const zero_number<W> none;
     return turned_conic{c0, none, c2, -(c0 * c2)};
 }

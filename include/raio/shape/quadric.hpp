@@ -135,11 +135,13 @@ private:
 
         const auto diagonal = line.given(squares) * part, beside = line.given(products) * part;
         const auto first = line.given(linear) * part;
-        const auto zeroth = line.given(constant) * part, half = line.given(W(0.5));
+        const auto zeroth = line.given(constant) * part;
+        const auto half = line.given(W(0.5));
         const auto f = [&](const auto& p) {
             return symmetric_product(diagonal, beside, p, p) + raio::dot(first, p) + zeroth;
         };
-        const auto p = line.origin() + line.direction() * place, step = line.direction() * unit;
+        const auto p = line.origin() + line.direction() * place;
+        const auto step = line.direction() * unit;
         const auto a = symmetric_product(diagonal, beside, step, step);
         const auto b = -(symmetric_product(diagonal, beside, p, step) + half * raio::dot(first, step));
         const auto c = f(p);

@@ -28,7 +28,8 @@ template <class W, class R, real T>
 RAIO_FN constexpr auto two_sheets_on(const line<W, R>& line, const T& gap, const T& end) {
     const auto g2 = square(line.given(gap));
     const auto scale = square(line.given(end)) * inverse(line.between(gap, T(1)) * line.between(-gap, T(1)));
-    const auto c0 = -(g2 * scale), c2 = line.given(T(4)) * scale;
+    const auto c0 = -(g2 * scale);
+    const auto c2 = line.given(T(4)) * scale;
     const zero_number<W> none;
     return turned_conic{c0, none, c2, -(c0 * c2)};
 }
