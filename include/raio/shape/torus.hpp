@@ -108,7 +108,7 @@ struct torus {
         const auto b = a * (two * major * unit * inverse(sqrt(a2)));
         const auto q2 = square(q), e2 = square(e), qb = dot(q, b), eb = dot(e, b), g = q2 + (major2 - minor2);
         auto f = polynomial_of(square(g) + (square(qb) - four_major2 * q2), two * (qb * eb),
-                               two * g * e2 + (square(eb) - four_major2 * e2), none, square(e2));
+                               two * e2 * g + (square(eb) - four_major2 * e2), none, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
         list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
