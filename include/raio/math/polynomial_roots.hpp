@@ -63,7 +63,7 @@ template <real W, std::size_t N>
     };
     if constexpr (N == 4 && !last_precision<W>) {
         const first_root<W> first =
-            is_finite(wanted.from) ? depressed_quartic<W>(p).between(low, high) : first_root<W>{};
+            is_finite(wanted.from) ? depressed_quartic<W>(p, finder.most_noise()).between(low, high) : first_root<W>{};
         found.certain = first.known;
         if (first.known && !first.exists) return found;
         if (first.known && !(E(first.high) < wanted.before)) {

@@ -80,12 +80,17 @@ public:
 
     /// \param p  has to live as long
     RAIO_FN constexpr root_finder(const polynomial<W, N>& p, const W& low, const W& high)
-        : p_(p), noise_(p.noise()), low_(low), high_(high) {}
+        : p_(p),
+          noise_(p.noise()),
+          most_noise_(noise_(max(E(1), max(E(abs(low)), E(abs(high)))))),
+          low_(low),
+          high_(high) {}
 
     /// Can the polynomial be evaluated everywhere in the interval?
-    RAIO_FN constexpr bool is_sound() const {
-        return low_ < high_ && is_finite(noise_(max(E(abs(low_)), E(abs(high_)))) * E(1 / unit_roundoff<W>));
-    }
+    RAIO_FN constexpr bool is_sound() const { return low_ < high_ && is_finite(most_noise_ * E(1 / unit_roundoff<W>)); }
+
+    /// The polynomial's noise anywhere in the interval, and from -1 to 1.
+    RAIO_FN constexpr const E& most_noise() const { return most_noise_; }
 
     /// Calls `take` with one enclosure after the other, in order, and with a function that finds the root in there, as
     /// long as it answers true; answers whether it did to the end.
@@ -307,6 +312,7 @@ private:
 
     const polynomial<W, N>& p_;
     polynomial<E, N> noise_;
+    E most_noise_;
     W low_, high_;
 };
 

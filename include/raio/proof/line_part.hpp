@@ -59,12 +59,13 @@ template <class W, class R, real T>
 RAIO_FN constexpr line_part<W> part_of(const line<W, R>& line, const verdict<bool>& passes, const vec3<T>& base,
                                        const given_number<W>& size, const given_number<W>& middle,
                                        const given_number<W>& half, const W& reach) {
-    const auto start = line.from(base), step = line.direction() * middle, along = line.direction() * half;
-    vec3<bound_t<W>> error;
-    bounded_vector<W> from{};
-    const auto put = [&](const bounded_number<W>& x, W& value, bound_t<W>& off) { value = x.value, off = x.error; };
-    put(start[0] + step[0], from.x, error.x), put(start[1] + step[1], from.y, error.y),
-        put(start[2] + step[2], from.z, error.z);
+    using E = bound_t<W>;
+    const auto to_origin = line.from(base), step = line.direction() * middle, along = line.direction() * half;
+    bounded_vector<W> from{to_origin.x + step.x, to_origin.y + step.y, to_origin.z + step.z, E(0)};
+    // Each component is off by a few roundings of what it is made of.
+    const vec3<E> sizes = abs(vec3<E>(vec3<W>(line.ray.origin))) + abs(vec3<E>(vec3<W>(base))) +
+                          abs(vec3<E>(E(step.x), E(step.y), E(step.z)));
+    const vec3<E> error = sizes * E(4 * unit_roundoff<W>);
     from.error = norm1(error);
     const verdict<bool> found = every(passes, is_known_within(from, size));
     return {found.yes,

@@ -13,24 +13,26 @@ namespace raio {
 /// does not count.
 ///
 /// Let p be a point as seen from the centre, z its height above the plane of the circle and rho its distance from the
-/// axis, R the major radius and r the minor one. In the plane of p and the axis the tube is a disc: z^2 + (rho - R)^2 =
-/// r^2, which is p.p + R^2 - r^2 = 2 R rho, since p.p = z^2 + rho^2. Squared it is free of the root in rho:
+/// axis, R the major radius and r the minor one. In the plane of p and the axis the tube is a disc: its edge is where
+/// z^2 + (rho - R)^2 = r^2, or p.p + R^2 - r^2 = 2 R rho, since p.p = z^2 + rho^2. Squared, that is free of the root in
+/// rho:
 ///
 ///     f = (p.p + R^2 - r^2)^2 - 4 R^2 rho^2 = 0,    rho^2 = p.p - (p.A)^2 / A.A,    A = axis
 ///
 /// The square has added the points where p.p + R^2 - r^2 = -2 R rho. There are some only if r > R: they are the surface
 /// that does not count.
 ///
-/// Along a line, f is a polynomial of degree 4. It is written from the point q of the line on that is closest to the
-/// centre, p(x) = q + x e. That has two reasons. However far away the ray starts, q and e are of the size of the torus,
-/// and no power of the distance cancels. And q.e = 0, so that
+/// Along a line, f is a polynomial of degree 4. It is written about the closest approach q of the line to the centre,
+/// p(x) = q + x e, for two reasons. However far away the ray starts, q and e are of the size of the torus, and no power
+/// of the distance cancels. And q.e = 0, so that p.p = q.q + x^2 e.e has no linear term, and f no cubic one:
 ///
-///     p.p = q.q + x^2 e.e
+///     f = e.e^2 x^4 + (2 g e.e + eb^2 - 4 R^2 e.e) x^2 + 2 qb eb x + (g^2 + qb^2 - 4 R^2 q.q)
+///     g = q.q + R^2 - r^2,  qb = q.B,  eb = e.B,    B = 2 R A / |A|
 ///
-/// has no linear term, and f no cubic one: it is a depressed quartic. Such a one is convex, concave in the middle, and
-/// convex again, and one knows where, so that mostly its first root is found, or that there is none, without those of
-/// its derivative (math/depressed_quartic.hpp). The unit of length is the radius of the bounding sphere, and e goes to
-/// where the line leaves that: every coefficient is at most 16, and the four roots lie between -1 and 1.
+/// Of such a depressed quartic one knows where it is convex and where concave. So its first root is found, or that
+/// there is none, mostly without the roots of its derivative (math/depressed_quartic.hpp). The unit of length is the
+/// radius of the bounding sphere, and x = -1 and 1 are where the line enters and leaves that: every coefficient is at
+/// most 16, and all four roots lie between.
 ///
 /// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v the angle about the circle, from the
 /// outside over the axis' end.
@@ -104,9 +106,9 @@ struct torus {
         const auto two = line.given(W(2)), none = line.given(W(0));
         const auto major2 = square(major * unit), minor2 = square(minor * unit), four_major2 = two * two * major2;
         const auto b = a * (two * major * unit * inverse(sqrt(a2)));
-        const auto q2 = square(q), e2 = square(e), qb = dot(q, b), eb = dot(e, b), level = q2 + (major2 - minor2);
-        auto f = polynomial_of(square(level) + (square(qb) - four_major2 * q2), two * (qb * eb),
-                               two * e2 * level + (square(eb) - four_major2 * e2), none, square(e2));
+        const auto q2 = square(q), e2 = square(e), qb = dot(q, b), eb = dot(e, b), g = q2 + (major2 - minor2);
+        auto f = polynomial_of(square(g) + (square(qb) - four_major2 * q2), two * (qb * eb),
+                               two * e2 * g + (square(eb) - four_major2 * e2), none, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
         list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
@@ -115,7 +117,7 @@ struct torus {
                       if (is_ring) {
                           list.append(t, root);
                       } else {
-                          append_outer(level + e2 * square(x), root, t, list);
+                          append_outer(g + e2 * square(x), root, t, list);
                       }
                   });
         start_on_surface(list, [&] { return may_be_on_surface(l * unit, major2, minor2); });
@@ -146,23 +148,24 @@ struct torus {
     }
 
 private:
-    /// Takes over a root of a torus without a hole, if it counts: if there p.p + R^2 - r^2 >= 0.
+    /// Takes over a root of a torus without a hole, if it counts: if `outer`, which is p.p + R^2 - r^2, is not
+    /// negative.
     ///
     /// At the two points of the surface on the axis that is zero. In the plane of the axis and the line two circles
     /// meet there, and f is negative within one of them alone. A line that goes from one into the other stays in the
     /// solid, and touches its surface from within. What both enclose is about the centre: a line enters it there before
     /// its closest approach to the centre, and leaves it there after that.
     template <class W>
-    RAIO_FN static constexpr void append_outer(const bounded_number<W>& level, const polynomial_root<W>& root,
+    RAIO_FN static constexpr void append_outer(const bounded_number<W>& outer, const polynomial_root<W>& root,
                                                const bounded_number<W>& t, crossing_list<W, 4>& list) {
         const auto x = root.place(), zero = line<W>::given(W(0));
-        const auto counts = level >= zero;
-        const bool outer = list.holds(counts), on_axis = !is_settled(counts), entering = root.before > 0,
+        const auto counts = outer >= zero;
+        const bool is_outer = list.holds(counts), on_axis = !is_settled(counts), entering = root.before > 0,
                    to_other = root.is_touched() && !entering;
         const auto append = [&](bool enters) {
             const bool inside = list.count > 0 && list.crossings[list.count - 1].entering;
             const bool leaves = inside && (to_other || (x >= zero).possibly);
-            if (on_axis ? (enters ? !inside : leaves) : outer) list.append(t, enters);
+            if (on_axis ? (enters ? !inside : leaves) : is_outer) list.append(t, enters);
         };
         append(entering);
         if (root.is_touched()) append(!entering);
