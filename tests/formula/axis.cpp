@@ -53,8 +53,7 @@ TEST_CASE("axis: parallel to the planes a line is between them everywhere or now
 TEST_CASE("axis: below a plane a line begins or ends, or is at no end") {
     CHECK((sure_of(below<W>(4, 1), true) && below<W>(4, 1).near.t == W(2) && below<W>(4, 1).far.t == W(INFINITY)));
     CHECK((sure_of(below<W>(4, -1), true) && below<W>(4, -1).near.t == W(-INFINITY) && below<W>(4, -1).far.t == W(-2)));
-    CHECK((below<X>(1, 0).near.exists && below<X>(1, 0).near.t == X(-INFINITY) &&
-           below<X>(1, 0).far.t == X(INFINITY)));
+    CHECK((below<X>(1, 0).near.exists && below<X>(1, 0).near.t == X(-INFINITY) && below<X>(1, 0).far.t == X(INFINITY)));
     CHECK((below<W>(4, 1).near.entering && !below<W>(4, 1).far.entering));
     CHECK((below<W>(1, 1).near.face == 2 && below<W>(1, 1).far.face == 2));
     CHECK((!below<X>(3, 0).near.exists && !below<W>(3, 0).near.certain));

@@ -1,4 +1,5 @@
 #include <raio/formula/plane.hpp>
+#include <raio/proof/line.hpp>
 
 #include <doctest/doctest.h>
 
@@ -9,33 +10,49 @@ namespace raio::test {
 using W = strict_double;
 using X = double_double;
 
-TEST_CASE("plane_crossing: the bounds of slope, height, t and distance, from above as well") {
+namespace {
+
+template <class N>
+chord<N> behind(double height, double speed) {
+    return cross_half_space(bounded_number<N>(N(height), bound_t<N>(0)), bounded_number<N>(N(speed), bound_t<N>(0)),
+                            index_t<N>(7));
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("plane: a line is behind it from its crossing on, or up to it", N, strict_double, double_double) {
+    const chord<N> enters = behind<N>(3, -2), leaves = behind<N>(3, 2);
+    CHECK((enters.near.exists && enters.near.certain && leaves.far.exists && leaves.far.certain));
+    CHECK((enters.near.t == N(1.5) && enters.far.t == N(infinity<double>)));
+    CHECK((leaves.near.t == N(-infinity<double>) && leaves.far.t == N(-1.5)));
+    CHECK((enters.near.entering && !enters.far.entering && enters.near.face == 7 && enters.far.face == 7));
+}
+
+TEST_CASE("plane: a line that is parallel to it is behind it everywhere or nowhere, as the last precision says") {
+    for (const double height : {-1.0, 0.0, 1.0}) {
+        const chord<X> all = behind<X>(height, 0);
+        CHECK((all.near.exists == (height <= 0) && all.far.exists == (height <= 0)));
+        CHECK((all.near.t == X(-infinity<double>) && all.far.t == X(infinity<double>)));
+        CHECK(!behind<W>(height, 0).near.certain);
+    }
+}
+
+TEST_CASE("plane: the bound of t, from above as well") {
     random_numbers random(1);
-    part_of_bound of_slope, of_height, of_t, of_distance;
+    part_of_bound of_t;
     for (int i = 0; i < at_least(20'000); ++i) {
         const vec3<double> normal = some_vector(random), point = some_vector(random);
         const ray<double> ray{point + all_but_across(normal, random), all_but_across(normal, random)};
         const vec3<oracle> n(normal), d(ray.direction), from_point = vec3<oracle>(ray.origin) - vec3<oracle>(point);
-        const auto slope = speed_across(vec3<W>(normal), vec3<W>(ray.direction));
-        of_slope.add(exactly(slope.value) - dot(n, d), slope.error);
-        const auto height = height_above(vec3<W>(normal), point, ray.origin);
-        of_height.add(exactly(height.value) - dot(n, from_point), height.error);
-
-        const auto [at, distance2, distance2_error] = cross_plane_about<W>(point, normal, ray);
-        if (!at.certain || !at.exists) continue;
+        const line<W, double> line{ray};
+        const auto along = line.given(normal);
+        const chord<W> c = cross_half_space(dot(along, line.from(point)), dot(along, line.direction()), 0u);
         const oracle t = -dot(n, from_point) / dot(n, d);
-        const vec3<oracle> met = from_point + d * t;
-        of_t.add(exactly(at.t) - t, at.error);
-        of_distance.add(exactly(distance2) - dot(met, met), distance2_error);
+        for (const crossing<W>& end : {c.near, c.far}) {
+            if (end.certain && end.exists && is_finite(end.t)) of_t.add(exactly(end.t) - t, end.error);
+        }
     }
-    CHECK((of_slope.largest > 0.4 && of_height.largest > 0.4 && of_distance.largest > 0.2));
     CHECK(of_t.largest > 0.1);
-}
-
-TEST_CASE("plane_crossing: a product below all numbers counts as an error, until there is nobody to leave it to") {
-    const vec3<double> normal(0, 0, 0x1p-600), origin(0, 0, 0x1p-600), point(0);
-    CHECK(height_above(vec3<W>(normal), point, origin).error > 0.0);
-    CHECK(height_above(vec3<X>(normal), point, origin).error == 0.0);
 }
 
 }  // namespace raio::test

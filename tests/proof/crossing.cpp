@@ -9,43 +9,6 @@
 
 namespace raio::test {
 
-/// One step of Newton's method, of a value and a slope that may be anything within their bounds.
-TEST_CASE("crossing: where a function is zero, whatever value and slope are off by") {
-    random_numbers random(3);
-    double largest_part = 0;
-    for (int i = 0; i < at_least(20'000); ++i) {
-        const double value = random.uniform(-4, 4), value_error = random.one_in(2) ? 0 : random.uniform(0, 1);
-        const double slope = random.uniform(-4, 4),
-                     slope_error = random.one_in(4) ? 0 : std::abs(slope) * random.uniform(0, 0.7);
-        const auto speed = slope_of(slope, slope_error);
-        const crossing<double> c = cross_zero(value, value_error, speed);
-        REQUIRE((c.exists && c.entering == (slope < 0)));
-        REQUIRE(c.certain == (std::abs(slope) >= 2 * slope_error));
-        if (!c.certain) continue;
-        for (const double v : {value - value_error, value + value_error}) {
-            for (const double s : {slope - slope_error, slope + slope_error}) {
-                REQUIRE(std::abs(c.t + v / s) <= c.error);
-                largest_part = std::max(largest_part, std::abs(c.t + v / s) / c.error);
-            }
-        }
-    }
-    CHECK(largest_part > 0.9);
-    CHECK(!cross_zero(1.0, 0.0, slope_of(0.0, 0.0)).exists);
-    CHECK(cross_zero(1.0, 0.0, slope_of(0.0, 0.0)).certain);
-    CHECK(!cross_zero(1.0, 0.0, slope_of(0.0, 0.0)).entering);
-    CHECK(!slope_of(infinity<double>, 0.0).certain);
-    CHECK(slope_of(4 * std::numeric_limits<float>::min(), 0.0f).certain);
-    CHECK((slope_of(1.0, 0.5).certain && !slope_of(1.0, 0.50001).certain));
-    CHECK(!slope_of(0.0, 1e-300).certain);
-    for (const double tiny : {0x1p-1074, 0x1p-1022}) {  // it may have lost its digits
-        CHECK(!slope_of(strict_double(tiny), 0.0).certain);
-    }
-    CHECK((slope_of(double_double(0x1p-1022), 0.0).exists && slope_of(double_double(0x1p-1022), 0.0).certain));
-    CHECK(!slope_of(double_double(0x1p-1074), 0.0).exists);  // of which there is no inverse
-    CHECK((slope_of(double_double(1), 0.49).exists && !slope_of(double_double(1), 0.51).exists));
-    CHECK(!slope_of(1e-40f, 0.0f).certain);
-}
-
 /// Half of the largest float is 1.7e38.
 TEST_CASE("crossing: only what the ray reaches in numbers of its type is kept") {
     struct row {

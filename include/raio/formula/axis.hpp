@@ -42,14 +42,6 @@ RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& 
     return cross_cap_planes(base, top, line<W, R>{ray});
 }
 
-template <class W>  // of those that do not know their errors yet
-RAIO_FN constexpr chord<W> cross_slab(const vec3<W>& axis, const plane_height<W>& above_base,
-                                      const plane_height<W>& above_top, const vec3<W>& d) {
-    return cross_slab<W>(rounded_vector<W, 1>{axis.x, axis.y, axis.z},
-                         bounded_number<W>(-above_base.value, above_base.error),
-                         bounded_number<W>(-above_top.value, above_top.error), given_vector<W>{d.x, d.y, d.z});
-}
-
 /// The chord below the plane of the upper cap alone.
 template <class W, real T, real R>
 RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const line<W, R>& line) {

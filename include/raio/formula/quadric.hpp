@@ -90,45 +90,4 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const given_vector<W>& d, const 
     return chord;
 }
 
-/// The surface v rho^2 = c0 + c1 h + c2 h^2, to be told from W's rounding errors: each number is off by 8 roundings at
-/// most.
-template <class W>
-struct revolved_quadric {
-    vec3<W> axis;    ///< the unit of h; what counts of the surface lies between h = -1 and h = 1
-    W v;             ///< above 0
-    W c0, c1, c2;    ///< squares of lengths
-    W discriminant;  ///< c1^2 / 4 - c0 c2, found without that difference; at least 0 if the axis meets the surface
-    W radius;        ///< nothing that counts of the surface is farther from the axis
-
-    /// v rho^2 - c0 - c1 h - c2 h^2, times (A.A)^2, at the point p as seen from B.
-    RAIO_FN constexpr W level(const vec3<W>& p) const {
-        vec3<W> across = cross(p, axis);
-        W axis2 = dot(axis, axis), height = dot(p, axis);
-        return axis2 * (v * dot(across, across) - axis2 * c0 - c1 * height) - c2 * height * height;
-    }
-
-    /// A bound of the level's terms at a point no farther from B; it is off by 32 roundings of that at most.
-    RAIO_FN constexpr bound_t<W> terms_within(const bound_t<W>& far) const {
-        using E = bound_t<W>;
-        E area(dot(axis, axis)), size = norm1(vec3<E>(axis));
-        return area * ((E(v) * area + abs(E(c2))) * far * far + abs(E(c1)) * size * far + area * abs(E(c0)));
-    }
-};
-
-/// The same of a surface in plain numbers, each of which is off by 8 roundings at most.
-/// \param to_center  from the origin of the ray to B
-/// \param far        at least as long; to_center is off by a rounding of that
-template <class W>
-RAIO_FN constexpr hollow_chord<W> cross_quadric(const revolved_quadric<W>& s, const vec3<W>& to_center,
-                                                const bound_t<W>& far, const vec3<W>& d) {
-    using number = rounded_number<W, 8>;
-    const auto over_v = inverse(number{s.v});
-    const auto half = number{W(0.5)};
-    const turned_conic conic{number{s.c0} * over_v, half * number{s.c1} * over_v, number{s.c2} * over_v,
-                             number{s.discriminant} * over_v * over_v};
-    const bounded_vector<W> l{to_center.x, to_center.y, to_center.z, bound_t<W>(unit_roundoff<W>) * far};
-    return cross_quadric(given_vector<W>{d.x, d.y, d.z}, l, rounded_vector<W, 1>{s.axis.x, s.axis.y, s.axis.z}, conic,
-                         number{s.radius});
-}
-
 }  // namespace raio

@@ -134,60 +134,6 @@ RAIO_FN constexpr crossing<W> select(Mask mask, const crossing<W>& a, const cros
             select(mask, a.u, b.u),         select(mask, a.v, b.v),         either(a.shared, b.shared)};
 }
 
-/// How fast a function changes along the line.
-template <class W>
-struct slope_along {
-    using E = bound_t<W>;
-
-    W value;
-    E error;                    ///< how far it may be from that anywhere on the way to where the function is zero
-    W inverse;                  ///< 0 where there is no slope
-    mask_t<W> exists, certain;  ///< is there a slope, and is that right whatever the rounding errors were?
-
-    /// Where the function is zero that has this value at t = 0: at t = -value / slope. With the slope above twice its
-    /// error, 1 / (|slope| - error) is at most 2 / |slope|.
-    RAIO_FN constexpr bounded_number<W> zero_of(const W& at_0, const E& at_0_error) const {
-        W t = -at_0 * inverse;
-        E size = abs(E(t)), of_both = E(2) * (at_0_error + size * error) * abs(E(inverse));
-        bounded_number<W> zero{t, with_underflow<W>(of_both + E(4 * unit_roundoff<W>) * size)};
-        if constexpr (last_precision<W>) {
-            // Farther away than any number it is infinitely far, and in that direction beyond doubt.
-            const mask_t<W> beyond = every(!is_finite(size), abs(E(at_0)) > at_0_error);
-            zero.value = select(beyond, W(-E(at_0) * E(inverse)), t);
-            zero.error = select(beyond, E(0), zero.error);
-        }
-        return zero;
-    }
-};
-
-template <real W>
-RAIO_FN constexpr slope_along<W> slope_of(const W& slope, const bound_t<W>& error) {
-    using E = bound_t<W>;
-    E size = abs(E(slope));
-    // No slope at all is certain, unless products were lost whole, which only who multiplied can say (`speed_across`);
-    // one that is too small for its digits, or is not in the range, is not. Three products may have lost half of the
-    // smallest number each: less than a rounding of this.
-    const E least(last_precision<W> ? 0.0 : 4 * least_normal<W>);
-    W inverse = quotient(W(1), slope, W(0));
-    mask_t<W> in_range = is_finite(size), has_digits = some(size == E(0), size >= least);
-    // The last precision has no t for a slope that has no inverse, or is within twice its error: it runs parallel.
-    if constexpr (last_precision<W>) in_range = every(in_range, is_finite(E(inverse)));
-    return {slope, error, inverse, every(size > tie<W>(E(2) * error), in_range),
-            every(size >= E(2) * error, in_range, has_digits)};
-}
-
-/// Where a function is zero that has this value at t = 0 and, all the way to there, this slope: one step of Newton's
-/// method.
-template <real W>
-RAIO_FN constexpr crossing<W> cross_zero(const W& value, const bound_t<W>& value_error, const slope_along<W>& slope) {
-    bounded_number<W> t = slope.zero_of(value, value_error);
-    return {.exists = slope.exists,
-            .certain = slope.certain,
-            .t = t.value,
-            .error = t.error,
-            .entering = slope.value < W(0)};
-}
-
 /// A crossing at this place, if there is one.
 template <class W>
 RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, const bounded_number<W>& t,

@@ -5,10 +5,10 @@
 #include <raio/concepts.hpp>
 #include <raio/formula/plane.hpp>
 #include <raio/formula/polyhedron_faces.hpp>
-#include <raio/proof/line.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
 #include <raio/proof/lanes.hpp>
+#include <raio/proof/line.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {

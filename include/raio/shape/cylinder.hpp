@@ -3,7 +3,6 @@
 #include <raio/concepts.hpp>
 #include <raio/formula/axis.hpp>
 #include <raio/formula/quadric.hpp>
-#include <raio/math/quadratic.hpp>
 #include <raio/proof/line.hpp>
 #include <raio/surface_sample.hpp>
 

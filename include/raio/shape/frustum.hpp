@@ -32,20 +32,6 @@ RAIO_FN constexpr chord<W> one_nappe(const hollow_chord<W>& c, const bounded_num
     return nappe;
 }
 
-/// From the end with the lesser radius to the other.
-template <class W, real T>
-RAIO_FN constexpr vec3<W> widening_axis(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
-    const mask_t<T> turned = radii.y < radii.x;
-    return vec3<W>(select(turned, base, top)) - vec3<W>(select(turned, top, base));
-}
-
-/// The side, from the end with the lesser radius on.
-template <class W, real T>
-RAIO_FN constexpr revolved_quadric<W> nappes(const vec3<W>& widening_axis, const vec2<T>& radii) {
-    W r(min(radii.x, radii.y)), radius(max(radii.x, radii.y)), widening = radius - r;
-    return {widening_axis, W(1), r * r, W(2) * r * widening, widening * widening, W(0), radius};
-}
-
 /// The chord through the one nappe, endless at its wide end.
 /// \param l     from the point where the line has t = 0 to the end with the lesser radius
 /// \param axis  from there to the end with the greater one

@@ -40,13 +40,6 @@ RAIO_FN constexpr hyperboloid_side<W> one_sheet(T waist_radius, T end_radius) {
             select(every(waist_radius > T(0), end_radius > T(0)), max(waist, end), W(0)), W(0)};
 }
 
-/// The same, with the axis that it turns about.
-template <class W, real T>
-RAIO_FN constexpr revolved_quadric<W> endless_hyperboloid(const vec3<T>& base, const vec3<T>& top,
-                                                          const hyperboloid_side<W>& side) {
-    return {difference_as<W>(top, base), side.v, side.c0, W(0), side.c2, -side.c0 * side.c2, side.radius};
-}
-
 /// The side as it is turned about the axis, with h = 0 in the middle and -1/2 and 1/2 at the ends.
 template <class W, class R, real T>
 RAIO_FN constexpr auto one_sheet_on(const line<W, R>& line, const T& waist, const T& end) {

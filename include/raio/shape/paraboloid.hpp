@@ -18,13 +18,6 @@ namespace raio {
 
 namespace detail {
 
-/// The side, from the vertex on.
-template <class W, real T>
-RAIO_FN constexpr revolved_quadric<W> endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, T radius) {
-    W r(radius), r2 = r * r, zero(0);
-    return {difference_as<W>(top, vertex), W(1), zero, r2, zero, W(0.25) * r2 * r2, r};
-}
-
 /// The chord through the endless paraboloid.
 template <class W, class R, real T>
 RAIO_FN constexpr chord<W> cross_endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, const T& radius,
