@@ -12,8 +12,9 @@ namespace {
 /// Between the planes at heights 0 and 2 along an axis of length 2, from a height of that.
 template <class N>
 chord<N> slab(double height, double down, double error = 0) {
-    return detail::cross_slab(vec3<N>(N(0), N(0), N(2)), {N(2 * height), error}, {N(2 * height - 4), error},
-                              vec3<N>(N(1), N(0), N(-down)));
+    const auto off = [&](double x) { return bounded_number<N>(N(x), bound_t<N>(error)); };
+    return detail::cross_slab<N>(given_vector<N>{N(0), N(0), N(2)}, off(-2 * height), off(4 - 2 * height),
+                                 given_vector<N>{N(1), N(0), N(-down)});
 }
 
 /// Below the plane at height 2, across which the axis has the length 2.

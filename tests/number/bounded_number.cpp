@@ -4,16 +4,6 @@
 
 namespace raio::test {
 
-/// The root as `sqrt` says it, of an exact number as well.
-template <class N>
-auto root_of(const N& a) {
-    if constexpr (std::same_as<N, oracle>) {
-        return sqrt(max(a, oracle(0)));
-    } else {
-        return sqrt(a);
-    }
-}
-
 TEST_CASE_TEMPLATE("bounded_number: what an operation is off by is within its bound, and close", W, RAIO_PRECISIONS) {
     check_binary<W>("sum", {0.9, 0.9}, [](auto a, auto b) { return a + b; });
     check_binary<W>("difference", {0.9, 0.9}, [](auto a, auto b) { return a - b; });

@@ -232,15 +232,6 @@ void check_formula(const char* name, double least, F f) {
     CHECK(seen.known > seen.open / 4);  // many lines miss
 }
 
-template <class N>
-auto root_of(const N& a) {
-    if constexpr (std::same_as<N, oracle>) {
-        return sqrt(max(a, oracle(0)));
-    } else {
-        return sqrt(a);
-    }
-}
-
 TEST_CASE_TEMPLATE("bounded_vector: the formulas of shapes are within their bounds, and close", W, RAIO_PRECISIONS) {
     const auto sphere = [](const auto& s) { return square(s.d) * (s.r * s.r) - square(cross(s.l, s.d)); };
     check_formula<W>("sphere", 0.4, sphere);

@@ -242,4 +242,14 @@ void check_binary(const char* name, const closeness& least, F f, double most = 4
     });
 }
 
+/// The root as `sqrt` says it, of an exact number as well.
+template <class N>
+auto root_of(const N& a) {
+    if constexpr (std::same_as<N, oracle>) {
+        return sqrt(max(a, oracle(0)));
+    } else {
+        return sqrt(a);
+    }
+}
+
 }  // namespace raio::test

@@ -50,6 +50,9 @@ inline constexpr double least_divisor = std::numeric_limits<scalar_t<W>>::max_ex
                                         : std::same_as<scalar_t<W>, float>                    ? 0x1p-50
                                                                                               : 0x1p-960;
 
+template <class W>
+inline constexpr double greatest_divisor = lost<W> > 0 ? 1 / lost<W> : std::numeric_limits<double>::infinity();
+
 /// So many roundings of numbers of this size.
 template <class W>
 RAIO_FN constexpr bound_t<W> roundings(int count, const bound_t<W>& size) {
@@ -223,8 +226,8 @@ RAIO_FN constexpr bounded_number<W> inverse(const bounded_number<W>& a) {
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, K + 1> inverse(const rounded_number<W, K>& a) {
     using E = bound_t<W>;
-    mask_t<W> is_apart = size_of(a) > E(detail::least_divisor<W>);
-    if constexpr (K > 0) is_apart = every(is_apart, is_finite(a.value));  // nor is it known if it was out of range
+    const E size = size_of(a);  // and of numbers that are too large, the inverse is too small for its digits
+    const mask_t<W> is_apart = every(size > E(detail::least_divisor<W>), size < E(detail::greatest_divisor<W>));
     return {select(is_apart, W(1), W(std::numeric_limits<scalar_t<W>>::quiet_NaN())) / select(is_apart, a.value, W(1))};
 }
 
