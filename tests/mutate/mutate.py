@@ -43,6 +43,8 @@ SHAPES = {
     "formula/axis.hpp": ["shape/cylinder", "shape/frustum", "shape/capsule"],
     "proof/crossing_list.hpp": ["shape/torus"],
     "formula/polynomial_along.hpp": ["shape/algebraic", "shape/steiner"],
+    "proof/line_part.hpp": ["formula/polynomial_along", "shape/algebraic", "shape/steiner"],
+    "proof/polynomial_crossings.hpp": ["formula/polynomial_along", "shape/algebraic", "shape/steiner"],
     "formula/revolution.hpp": ["shape/curved_surface_of_revolution"],
     "math/polynomial_roots.hpp": ["shape/torus"],
     "math/root_finder.hpp": ["math/polynomial_roots", "shape/torus"],
