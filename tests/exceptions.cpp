@@ -37,19 +37,18 @@ void check_raises_none(int exceptions) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("exceptions: nothing is divided by zero, invalid, or out of range", T, RAIO_NUMBERS) {
-    constexpr int traps = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
-    check_raises_none<sphere<T>>(traps);
-    check_raises_none<ellipsoid<T>>(traps);
-    check_raises_none<box<T>>(traps);
-    check_raises_none<disc<T>>(traps);
-    check_raises_none<ring<T>>(traps);
-    check_raises_none<triangle<T>>(traps);
-    check_raises_none<watertight_triangle<T>>(traps);
-    check_raises_none<plane<T>>(FE_INVALID | FE_DIVBYZERO);  // is met farther off than floats go
+    check_raises_none<box<T>>(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
 }
 
-/// These compare with what comes of infinities.
+/// These compare with what comes of infinities: of what nothing is known the error is infinite.
 TEST_CASE_TEMPLATE("exceptions: nothing is divided by zero, nor out of range", T, RAIO_NUMBERS) {
+    check_raises_none<sphere<T>>(FE_DIVBYZERO | FE_OVERFLOW);
+    check_raises_none<ellipsoid<T>>(FE_DIVBYZERO | FE_OVERFLOW);
+    check_raises_none<disc<T>>(FE_DIVBYZERO | FE_OVERFLOW);
+    check_raises_none<ring<T>>(FE_DIVBYZERO | FE_OVERFLOW);
+    check_raises_none<triangle<T>>(FE_DIVBYZERO | FE_OVERFLOW);
+    check_raises_none<watertight_triangle<T>>(FE_DIVBYZERO | FE_OVERFLOW);
+    check_raises_none<plane<T>>(FE_DIVBYZERO);  // is met farther off than floats go
     check_raises_none<cylinder<T>>(FE_DIVBYZERO | FE_OVERFLOW);
     check_raises_none<open_cylinder<T>>(FE_DIVBYZERO | FE_OVERFLOW);
     check_raises_none<capsule<T>>(FE_DIVBYZERO | FE_OVERFLOW);

@@ -90,7 +90,7 @@ TEST_CASE("a disc, a box and a plane across the view have exactly the depth, nor
     for (const int count : pixels) CHECK(count > 50);  // each is seen
 }
 
-TEST_CASE("spheres have the depth of the quadratic formula in 75 digits, rounded once, and the normal to 2 ulp") {
+TEST_CASE("spheres have the depth of the quadratic formula in 75 digits, to 4 ulp, and the normal to 2") {
     struct ball {
         raio::sphere<number> sphere;
         char letter;
@@ -130,7 +130,8 @@ TEST_CASE("spheres have the depth of the quadratic formula in 75 digits, rounded
         }
         CHECK(found.index[i] == letter);
         if (letter == '.') continue;
-        CHECK(found.depth[i] == static_cast<number>(nearest));
+        const auto depth = static_cast<number>(nearest);
+        CHECK(std::abs(found.depth[i] - depth) <= 4 * 0x1p-52 * depth);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const number component = found.normal[i][static_cast<glm::length_t>(axis)];
             CHECK(std::abs(component - static_cast<number>(normal[axis])) <= 0x1p-51);

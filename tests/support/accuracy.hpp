@@ -373,7 +373,7 @@ void check_nothing_is_hit_beside(int rays) {
 inline double with_chance(double expected) { return expected + 3 * std::sqrt(expected); }
 
 /// The same of a root of a polynomial that had to be expanded first.
-inline constexpr double ulp_of_roots = 300;
+inline constexpr double ulp_of_roots = 1000;
 
 /// Sends rays in numbers. A few are excused: of doubles mostly rays from a point of the surface, rounded to double,
 /// whose t is below 1e-16 of its size.

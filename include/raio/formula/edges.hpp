@@ -108,14 +108,18 @@ RAIO_FN constexpr crossing<W> cross_edges(const line<W, R>& line, const vec3<T>&
     } else {
         const auto d = line.direction();
         const auto s = line.from(corner);
-        const auto det = determinant(e1, d, e2), size = abs(det);
-        const auto u = flip(determinant(s, d, e2), det), v = flip(determinant(d, s, e1), det);
+        const auto det = determinant(e1, d, e2);
+        const auto size = abs(det);
+        const auto u = flip(determinant(s, d, e2), det);
+        const auto v = flip(determinant(d, s, e1), det);
         const auto exists = every(is_not_zero(det), is_not_negative(u, size), is_not_negative(v, size),
                                   is_not_negative(size - far(u, v), size));
         if (may_leave<W>(!exists.possibly)) return missed_for_sure<W>();
 
-        const auto over_size = inverse(size), t = flip(determinant(e2, s, e1), det) * over_size;
-        const auto u1 = u * over_size, v1 = v * over_size;
+        const auto over_size = inverse(size);
+        const auto t = flip(determinant(e2, s, e1), det) * over_size;
+        const auto u1 = u * over_size;
+        const auto v1 = v * over_size;
         crossing<W> c = crossing_at(exists, t, det.value > W(0));
         keep_if_one_point(c, s + d * t - (e1 * u1 + e2 * v1), size_of(e1) + size_of(e2));
         c.u = u1.value, c.v = v1.value;

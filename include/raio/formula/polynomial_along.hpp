@@ -21,7 +21,8 @@ RAIO_FN constexpr line_part<W> part_near(const line<W, R>& line, const vec3<T>& 
     const auto l = line.to(center);
     // A little more than the ball, so that whatever it contains is clearly within.
     const auto size = line.given(radius * W(1 + 0x1p-8));
-    const auto d2 = square(d), size2 = square(size);
+    const auto d2 = square(d);
+    const auto size2 = square(size);
     const auto passes = every(is_positive(size), is_positive(d2), d2 * size2 >= square(cross(l, d)));
     if (!passes.yes) return {false, is_settled(passes)};
 

@@ -57,8 +57,11 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const given_vector<W>& d, const 
     const auto c2 = conic.c2;
     const auto discriminant = conic.discriminant;
     const auto two = given_number<W>{W(2)};
-    const auto n = cross(d, axis), m = cross(l, d);
-    const auto n2 = square(n), mn = dot(m, n), m2 = square(m);
+    const auto n = cross(d, axis);
+    const auto m = cross(l, d);
+    const auto n2 = square(n);
+    const auto mn = dot(m, n);
+    const auto m2 = square(m);
     const auto d2 = square(d);
     const auto axis2 = square(axis);
     const auto k = c2 * inverse(axis2);
@@ -76,7 +79,8 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const given_vector<W>& d, const 
     if (const auto missed = is_above_zero(a, b2_less_ac); may_leave<W>(missed)) return {nowhere<W>(missed), !missed};
 
     const auto over_d2 = inverse(d2);
-    const auto w = mn * over_d2, tilt = stretched(w) + c1;
+    const auto w = mn * over_d2;
+    const auto tilt = stretched(w) + c1;
     const auto constant = [&] { return axis2 * (m2 * over_d2 - c0) - w * (tilt + c1); };
     const auto extent = [&] { return (size_of(axis) + size_of(radius)) * size_of(d) * size_of(over_d2); };
     // Where the axis meets the surface, a line that is steep enough cannot miss it.

@@ -145,10 +145,14 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
     const given_number<W> unit{over_size}, half{W(0.5)};
     const auto& e = curve.direction;
     const auto p = polynomial_vector<W, 1>(part.point()) * unit;
-    const auto radius = curve.radius * unit, height = curve.height * unit;
+    const auto radius = curve.radius * unit;
+    const auto height = curve.height * unit;
     const auto rise = dot(p, e);
     const auto across2 = square(cross(p, e));
-    const auto slant = rise[1], m2 = across2[0], mn = across2[1] * half, n2 = across2[2];
+    const auto slant = rise[1];
+    const auto m2 = across2[0];
+    const auto mn = across2[1] * half;
+    const auto n2 = across2[2];
     const auto g = height - rise[0];
     const auto gap = m2 - square(radius);
     const auto f = square(g) * n2 + g * (across2[1] * slant) + gap * square(slant);
@@ -165,7 +169,8 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
         };
         const auto by_height = g(s) / slant;
         const auto beyond = gap(s);
-        const auto mn_squared = square(mn), product = n2 * beyond;
+        const auto mn_squared = square(mn);
+        const auto product = n2 * beyond;
         // A level line may pass the circle at its height by.
         if (!root.is_simple() && (mn_squared < product).certainly) continue;
         const auto [near, far] = quadratic_roots(n2, -mn, beyond, sqrt(mn_squared - product));

@@ -22,9 +22,12 @@ template <class W, int K, int L, int M>
 [[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere(const rounded_vector<W, K>& l,
                                                                const rounded_vector<W, L>& d,
                                                                const rounded_number<W, M>& radius) {
-    auto a = square(d), r2 = square(radius), ar2 = a * radius * radius;
+    auto a = square(d);
+    auto r2 = square(radius);
+    auto ar2 = a * radius * radius;
     auto passed2 = square(cross(l, d));
-    auto is_there = every(is_positive(radius), is_positive(ar2)), crosses = every(is_there, ar2 >= passed2);
+    auto is_there = every(is_positive(radius), is_positive(ar2));
+    auto crosses = every(is_there, ar2 >= passed2);
     if (may_leave<W>(some(!is_there.certainly, !crosses.possibly))) return nowhere<W>(!crosses.possibly);
 
     auto b = dot(l, d);
@@ -32,6 +35,33 @@ template <class W, int K, int L, int M>
     auto c = select(is_positive(r2), square(l) - r2, unknown_number<W>());
     auto [near, far] = quadratic_roots(a, b, c, sqrt(ar2 - passed2));
     return between(every(crosses, is_root_told_from_zero(ar2, b)), near, far);
+}
+
+/// |p|^2 - radius^2 of a point p as seen from the centre of a sphere: its power (Steiner 1826), c above. Packs of floats
+/// find it in doubles.
+/// \tparam Roundings  of each of the numbers given
+template <int Roundings, class W, class D>
+RAIO_FN constexpr bounded_number<W> power_of_point(const vec3<D>& p, const D& radius) {
+    using E = bound_t<W>;
+    D p2 = dot(p, p), r2 = radius * radius;
+    W value(p2 - r2);
+    return {value, E(2 * unit_roundoff<W>) * abs(E(value)) + E(8 * Roundings * unit_roundoff<D>) * E(p2 + r2)};
+}
+
+/// Packs of floats have to know on which side of the sphere a ray starts that starts near it: of b - s and b + s one
+/// cancels there. Their product is a c.
+/// \param sum_error  bound of the error of b -+ s
+template <class W>
+RAIO_FN constexpr void tell_side(const mask_t<W>& known, const W& b, const W& s, const bound_t<W>& sum_error,
+                                 const bounded_number<W>& power, bounded_number<W>& near_end,
+                                 bounded_number<W>& far_end) {
+    using E = bound_t<W>;
+    W sum = b + copysign(s, b), over = quotient(W(1), sum, W(0));
+    E size = abs(E(over)), error = E(2) * size * (power.error + size_of(power) * (sum_error * size));
+    bounded_number<W> better(power.value * over, error + E(detail::lost<W>));
+    const mask_t<W> starts = every(known, abs(b) < s + s, is_finite(sum), better.error < near_end.error);
+    near_end = choose_where(every(starts, sum > W(0)), better, near_end);
+    far_end = choose_where(every(starts, sum < W(0)), better, far_end);
 }
 
 /// Do the ray's floats leave W, a double, more than half its digits to spare? (The shape's are no longer.)
@@ -48,10 +78,12 @@ inline constexpr bool has_spare_digits = std::same_as<scalar_t<W>, strict_double
 /// a (l.l + radius^2) / (2 s): the roundings of b, of b -+ s and of the division come to half of bound / s as well.
 ///
 /// What doubles cross goes the other way: of their t more is wanted.
-template <class W, real R, int K, int L, int M>
+/// \param power  answers with the `power_of_point` of the ray's origin
+template <class W, real R, int K, int L, int M, class Power>
 [[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere_along(const line<W, R>&, const rounded_vector<W, K>& l,
                                                                      const rounded_vector<W, L>& d,
-                                                                     const rounded_number<W, M>& radius) {
+                                                                     const rounded_number<W, M>& radius,
+                                                                     [[maybe_unused]] Power power) {
     using E = bound_t<W>;
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
 
@@ -72,8 +104,12 @@ template <class W, real R, int K, int L, int M>
     if (none(known)) return cross_sphere(l, d, radius);
     W s = sqrt(max(s2, W(detail::lost<W>))), over_a = W(1) / a;
     E error = with_underflow<W>(E(1.25) * bound / E(s) * E(over_a));
-    chord<W> c = between({meets, meets, meets}, bounded_number<W>{(b - s) * over_a, error},
-                         bounded_number<W>{(b + s) * over_a, error});
+    bounded_number<W> near_end((b - s) * over_a, error), far_end((b + s) * over_a, error);
+    if constexpr (std::same_as<scalar_t<W>, float>) {
+        const mask_t<W> beside = every(meets, some(size_of(near_end) <= error, size_of(far_end) <= error));
+        if (any(beside)) tell_side(beside, b, s, error * of_a, power(), near_end, far_end);
+    }
+    chord<W> c = between({meets, meets, meets}, near_end, far_end);
     if (all(known)) return c;
     chord<W> other = cross_sphere(l, d, radius);
     return {select(known, c.near, other.near), select(known, c.far, other.far)};

@@ -49,7 +49,8 @@ public:
     /// first moved off it by its last bit, to the side where the low part lies (round to odd; Boldo and Melquiond
     /// 2008).
     RAIO_FN constexpr explicit operator float() const requires(!is_pack) {
-        const auto high = static_cast<double>(high_), low = static_cast<double>(low_);
+        const auto high = static_cast<double>(high_);
+        const auto low = static_cast<double>(low_);
         const auto bits = std::bit_cast<std::uint64_t>(high);
         if (low == 0.0 || (bits & 1) != 0 || !raio::is_finite(high)) return static_cast<float>(high);
         const bool away_from_zero = (low > 0.0) == (high > 0.0);

@@ -60,7 +60,9 @@ RAIO_FN constexpr line_part<W> part_of(const line<W, R>& line, const verdict<boo
                                        const given_number<W>& size, const given_number<W>& middle,
                                        const given_number<W>& half, const W& reach) {
     using E = bound_t<W>;
-    const auto to_origin = line.from(base), step = line.direction() * middle, along = line.direction() * half;
+    const auto to_origin = line.from(base);
+    const auto step = line.direction() * middle;
+    const auto along = line.direction() * half;
     bounded_vector<W> from{to_origin.x + step.x, to_origin.y + step.y, to_origin.z + step.z, E(0)};
     // Each component is off by a few roundings of what it is made of.
     const vec3<E> sizes = abs(vec3<E>(vec3<W>(line.ray.origin))) + abs(vec3<E>(vec3<W>(base))) +

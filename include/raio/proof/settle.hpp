@@ -67,7 +67,8 @@ RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit vis
     }
     const auto found_closer = exact();
     const auto& closer = in_order(found_closer);
-    auto known = open - first.begin(), count = closer.end() - closer.begin();
+    auto known = open - first.begin();
+    auto count = closer.end() - closer.begin();
     bool found = false;
     for (auto c = closer.begin() + (known < count ? known : count); c != closer.end(); ++c) {
         if (visit(*c)) return true;

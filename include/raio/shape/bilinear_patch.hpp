@@ -115,11 +115,14 @@ private:
 
     template <class W, real R>
     RAIO_FN constexpr crossing_list<W, 2> cross_moving_line(const line<W, R>& line) const {
-        const auto a = line.to(p00), edge = line.between(p00, p10), w = line.between(p00, p01);
+        const auto a = line.to(p00);
+        const auto edge = line.between(p00, p10);
+        const auto w = line.between(p00, p01);
         const auto twist = line.between(p10, p11) - w;
         const auto d = line.direction();
         const auto half = line.given(T(0.5));
-        const auto of_a = cross(d, a), of_edge = cross(d, edge);
+        const auto of_a = cross(d, a);
+        const auto of_edge = cross(d, edge);
         const auto f = polynomial_of(dot(w, of_a), dot(twist, of_a) + dot(w, of_edge), dot(twist, of_edge));
         crossing_list<W, 2> list;
         if (has_one_sign(f)) return list;
@@ -131,8 +134,10 @@ private:
             const auto u = root.place();
             const auto is_on_way = abs(u - half) <= half;
             if (may_leave<W>(!is_on_way.possibly)) continue;
-            const auto from = a + edge * u, along = w + twist * u;
-            const auto m = cross(d, from), n = cross(d, along);
+            const auto from = a + edge * u;
+            const auto along = w + twist * u;
+            const auto m = cross(d, from);
+            const auto n = cross(d, along);
             const auto size = norm1(n);
             const auto is_between = every(is_on_way, norm1(m + m + n) <= size);
             if (may_leave<W>(!is_between.possibly)) continue;
@@ -155,12 +160,22 @@ private:
     /// that.
     template <class W, real R>
     RAIO_FN constexpr verdict<bool> holds_origin(const line<W, R>& line) const {
-        const auto a = line.to(p00), b = line.to(p10), c = line.to(p01), e = line.to(p11);
-        const auto ce = cross(c, e), ab = cross(a, b);
-        const auto w00 = dot(b, ce), w10 = -dot(a, ce), w01 = dot(e, ab), w11 = -dot(c, ab);
-        const auto u = w10 + w11, v = w01 + w11, all = w00 + w10 + v;
+        const auto a = line.to(p00);
+        const auto b = line.to(p10);
+        const auto c = line.to(p01);
+        const auto e = line.to(p11);
+        const auto ce = cross(c, e);
+        const auto ab = cross(a, b);
+        const auto w00 = dot(b, ce);
+        const auto w10 = -dot(a, ce);
+        const auto w01 = dot(e, ab);
+        const auto w11 = -dot(c, ab);
+        const auto u = w10 + w11;
+        const auto v = w01 + w11;
+        const auto all = w00 + w10 + v;
         const auto half = line.given(T(0.5));
-        const auto product = w00 * w11, other = w10 * w01;
+        const auto product = w00 * w11;
+        const auto other = w10 * w01;
         const auto within = [&](const auto& x) { return abs(x - all * half) <= abs(all) * half; };
         return every(product <= other, product >= other, within(u), within(v));
     }

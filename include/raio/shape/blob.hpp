@@ -176,8 +176,10 @@ private:
     RAIO_FN static constexpr void for_each_piece(const metaball<T>& m, const line_part<W>& part, const vec3<T>& base,
                                                  Visit visit) {
         using numbers = line<W>;
-        const auto one = numbers::given(T(1)), over_radius = inverse(numbers::given(m.radius));
-        const auto axis = numbers::given(m.axis), axis2 = square(axis);
+        const auto one = numbers::given(T(1));
+        const auto over_radius = inverse(numbers::given(m.radius));
+        const auto axis = numbers::given(m.axis);
+        const auto axis2 = square(axis);
         const auto p = part.point() + numbers::between(m.center, base);
         const auto visit_ball = [&](const polynomial_vector<W, 1>& from_center, const W& from, const W& to) {
             visit(between(one - square(from_center * over_radius), m.strength, from, to));

@@ -56,7 +56,8 @@ struct capsule {
         c = intersect(c, detail::cross_cap_planes(base, top, line));
         c = detail::with_round_ends(c, low_end(), high_end(), line.ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
-        const auto r = line.given(radius), slim = line.given(T(0x1p-120));
+        const auto r = line.given(radius);
+        const auto slim = line.given(T(0x1p-120));
         c = only_if(r * r >= axis2 * slim, c);
         keep_if_reachable<T>(line.ray, c);
         return c;

@@ -113,7 +113,8 @@ struct convex_polyhedron {
         index_t<W> face{};
         for (const half_space<T>& plane : planes) {
             const auto n = line.given(plane.normal);
-            const auto height = dot(n, origin) + line.given(plane.offset), speed = dot(n, line.direction());
+            const auto height = dot(n, origin) + line.given(plane.offset);
+            const auto speed = dot(n, line.direction());
             c = intersect(c, cross_half_space(height, speed, face));
             if (all(is_certainly_missed(c))) break;
             face = face + index_t<W>(1);

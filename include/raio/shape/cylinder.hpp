@@ -29,15 +29,21 @@ namespace detail {
 template <class W, class R, real T>
 RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec3<T>& top, const T& radius,
                                                   const line<W, R>& line) {
-    const auto axis = line.between(base, top), l = line.to(base);
+    const auto axis = line.between(base, top);
+    const auto l = line.to(base);
     const auto d = line.direction();
     const auto r = line.given(radius);
-    const auto n = cross(d, axis), m = cross(l, axis);
-    const auto a = square(n), ar2 = a * (r * r), passed2 = square(dot(l, n));
-    const auto crosses = every(is_positive(r), is_positive(ar2), ar2 >= passed2), is_apart = is_positive(a);
+    const auto n = cross(d, axis);
+    const auto m = cross(l, axis);
+    const auto a = square(n);
+    const auto ar2 = a * (r * r);
+    const auto passed2 = square(dot(l, n));
+    const auto crosses = every(is_positive(r), is_positive(ar2), ar2 >= passed2);
+    const auto is_apart = is_positive(a);
     if (may_leave<W>(every(is_apart.certainly, !crosses.possibly))) return nowhere<W>(true);
 
-    const auto axis2 = square(axis), inner2 = axis2 * (r * r);
+    const auto axis2 = square(axis);
+    const auto inner2 = axis2 * (r * r);
     const auto beside2 = square(m);
     const auto [near, far] = quadratic_roots(a, dot(m, n), beside2 - inner2, sqrt(axis2 * (ar2 - passed2)));
     if (all(is_apart.certainly)) return between(crosses, near, far);

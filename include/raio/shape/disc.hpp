@@ -36,10 +36,12 @@ struct disc {
 
     template <class W, real R>
     RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
-        const auto n = line.given(normal), d = line.direction();
+        const auto n = line.given(normal);
+        const auto d = line.direction();
         const auto r = line.given(radius);
         const auto to_center = line.to(center);
-        const auto speed = dot(n, d), t = dot(n, to_center) * inverse(speed);
+        const auto speed = dot(n, d);
+        const auto t = dot(n, to_center) * inverse(speed);
         const auto exists = every(is_positive(r), is_positive(abs(speed)), r * r >= square(d * t - to_center));
         return crossing_at(exists, t, speed.value < W(0));
     }

@@ -40,7 +40,12 @@ struct ellipsoid {
         auto r = line.given(radii);
         rounded_vector<W, 1> stretch{r.y * r.z, r.z * r.x, r.x * r.y};
         rounded_number<W, 2> radius{r.x * stretch.x};
-        chord<W> c = cross_sphere_along(line, stretch * line.to(center), stretch * line.direction(), radius);
+        const auto power = [&] {
+            using D = wide_t<W>;
+            vec3<D> exactly = to_sphere<D>();
+            return power_of_point<2, W>(exactly * difference_as<D>(center, ray.origin), D(radii.x) * exactly.x);
+        };
+        chord<W> c = cross_sphere_along(line, stretch * line.to(center), stretch * line.direction(), radius, power);
         const mask_t<T> sound = every(radii.x > T(0), radii.y > T(0), radii.z > T(0));
         c.near.exists = every(c.near.exists, sound);
         c.far.exists = every(c.far.exists, sound);

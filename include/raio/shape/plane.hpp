@@ -41,7 +41,8 @@ struct plane {
     template <class W, real R>
     RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
         const auto n = line.given(normal);
-        const auto to_plane = dot(n, line.to(point)), speed = dot(n, line.direction());
+        const auto to_plane = dot(n, line.to(point));
+        const auto speed = dot(n, line.direction());
         crossing<W> c = crossing_at(is_positive(abs(speed)), to_plane * inverse(speed), speed.value < W(0));
         keep_if_reachable<T>(line.ray, c);
         return c;

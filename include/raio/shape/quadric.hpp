@@ -133,7 +133,8 @@ private:
         const auto unit = line.given(W(E(size) * E(over_speed)));
         const auto part = line.given(W(quotient(E(1), terms_within<W>(far), E(0))));
 
-        const auto diagonal = line.given(squares) * part, beside = line.given(products) * part;
+        const auto diagonal = line.given(squares) * part;
+        const auto beside = line.given(products) * part;
         const auto first = line.given(linear) * part;
         const auto zeroth = line.given(constant) * part;
         const auto half = line.given(W(0.5));

@@ -16,7 +16,8 @@ namespace detail {
 template <class W, proven_vector N, proven_vector L>
 RAIO_FN constexpr crossing<W> cross_between_rims(const given_vector<W>& d, const N& n, const L& to_center,
                                                  const given_number<W>& inner, const given_number<W>& outer) {
-    auto speed = dot(n, d), t = dot(n, to_center) * inverse(speed);
+    auto speed = dot(n, d);
+    auto t = dot(n, to_center) * inverse(speed);
     auto distance2 = square(d * t - to_center);
     auto exists = every(inner >= given_number<W>{W(0)}, outer > inner, is_positive(abs(speed)),
                         distance2 >= inner * inner, outer * outer >= distance2);

@@ -70,7 +70,8 @@ struct round_cone {
     RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
         chord<W> c = detail::with_round_ends(cross_side(line), low_end(), high_end(), line.ray);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
-        auto lesser = line.given(min(base_radius, top_radius)), slim = line.given(T(0x1p-120));
+        auto lesser = line.given(min(base_radius, top_radius));
+        auto slim = line.given(T(0x1p-120));
         c = only_if(every(is_positive(lesser), lesser * lesser >= square(line.between(base, top)) * slim), c);
         const mask_t<W> sound = every(is_finite(base), is_finite(top), is_finite(base_radius + top_radius));
         c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
@@ -131,15 +132,20 @@ private:
     template <class W, real R>
     RAIO_FN constexpr chord<W> cross_side(const line<W, R>& line) const {
         const round_cone s = narrow_first();
-        auto axis = line.between(s.base, s.top), l = line.to(s.base);
+        auto axis = line.between(s.base, s.top);
+        auto l = line.to(s.base);
         auto d = line.direction();
-        auto r = line.given(s.base_radius), greater = line.given(s.top_radius);
+        auto r = line.given(s.base_radius);
+        auto greater = line.given(s.top_radius);
         auto w = line.between(s.base_radius, s.top_radius);
-        auto axis2 = square(axis), apart = axis2 - w * w, scale = axis2 * inverse(apart);
+        auto axis2 = square(axis);
+        auto apart = axis2 - w * w;
+        auto scale = axis2 * inverse(apart);
         zero_number<W> none;
         turned_conic cone{scale * (r * r), scale * (r * w), scale * (w * w), none};
         chord<W> c = detail::one_nappe(cross_quadric(d, l, axis, cone, greater), dot(d, axis));
-        auto to_base = dot(axis, l) - w * r, to_top = dot(axis, line.to(s.top)) - w * greater;
+        auto to_base = dot(axis, l) - w * r;
+        auto to_top = dot(axis, line.to(s.top)) - w * greater;
         // Spheres that touch from inside leave no side between them.
         return only_if(is_positive(apart), intersect(c, detail::cross_slab<W>(axis, to_base, to_top, d)));
     }

@@ -49,7 +49,11 @@ struct sphere {
     template <class W, real R>
     [[gnu::always_inline]] RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
         line<W, R> line{ray};
-        return cross_sphere_along(line, line.to(center), line.direction(), line.given(radius));
+        const auto power = [&] {
+            using D = wide_t<W>;
+            return power_of_point<1, W>(difference_as<D>(center, ray.origin), D(radius));
+        };
+        return cross_sphere_along(line, line.to(center), line.direction(), line.given(radius), power);
     }
 
     template <class W, real R, real N>

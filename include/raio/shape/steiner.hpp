@@ -78,7 +78,9 @@ private:
     template <class W, std::size_t N>
     RAIO_FN constexpr polynomial<W, 4 * N> along(const polynomial_vector<W, N>& point) const {
         const auto [x, y, z] = point * inverse(line<W>::given(size));
-        const auto x2 = square(x), y2 = square(y), z2 = square(z);
+        const auto x2 = square(x);
+        const auto y2 = square(y);
+        const auto z2 = square(z);
         return x2 * (y2 + z2) + y2 * z2 - x * y * z;
     }
 };

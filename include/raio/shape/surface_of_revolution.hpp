@@ -33,7 +33,8 @@ struct revolved_piece<T, 1> {
 
     template <class W, real R>
     RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
-        auto a = line.given(axis), d = line.direction();
+        auto a = line.given(axis);
+        auto d = line.direction();
         const auto to_axis_at = [&](const T& height) { return line.to(base) + a * line.given(height); };
         chord<W> c{};
         c.far.certain = true;
@@ -41,7 +42,8 @@ struct revolved_piece<T, 1> {
             c.near = cross_between_rims(d, a, to_axis_at(from.y), line.given(min(from.x, to.x)),
                                         line.given(max(from.x, to.x)));
         } else {
-            auto to_narrow = to_axis_at(narrow_end().y), to_wide = to_axis_at(wide_end().y);
+            auto to_narrow = to_axis_at(narrow_end().y);
+            auto to_wide = to_axis_at(wide_end().y);
             auto along = a * line.between(narrow_end().y, wide_end().y);
             c = cross_nappe(line, to_narrow, along, narrow_end().x, wide_end().x);
             if (missed(c)) return c;

@@ -86,8 +86,10 @@ private:
     RAIO_FN constexpr polynomial<W, 4 * N> along(const polynomial_vector<W, N>& p) const {
         const auto exactly = [](double x) { return line<W>::given(W(x)); };
         const auto axis = line<W>::between(bottom, tip);
-        const auto over_axis2 = inverse(square(axis)), over_r2 = inverse(square(line<W>::given(radius)));
-        const auto h = dot(p, axis) * over_axis2, below = exactly(1) - h;
+        const auto over_axis2 = inverse(square(axis));
+        const auto over_r2 = inverse(square(line<W>::given(radius)));
+        const auto h = dot(p, axis) * over_axis2;
+        const auto below = exactly(1) - h;
         const auto rho2 = square(cross(p, axis)) * over_axis2;
         return rho2 * (exactly(27) * over_r2) - h * below * square(below) * exactly(256);
     }

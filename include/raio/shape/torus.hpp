@@ -85,35 +85,50 @@ struct torus {
     template <class W, real R, class Wanted = every_crossing>
     RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
         const line<W, R> line{ray};
-        const auto d = line.direction(), a = line.given(axis);
-        const auto l = line.to(center), moment = cross(l, d);
-        const auto major = line.given(major_radius), minor = line.given(minor_radius);
+        const auto d = line.direction();
+        const auto a = line.given(axis);
+        const auto l = line.to(center);
+        const auto moment = cross(l, d);
+        const auto major = line.given(major_radius);
+        const auto minor = line.given(minor_radius);
         // A little more than the bounding sphere, so that the line's ends are clearly outside.
         const auto size = as_given((major + minor) * line.given(W(1 + 0x1p-10)));
-        const auto d2 = square(d), reach2 = d2 * size * size, passed2 = square(moment);
+        const auto d2 = square(d);
+        const auto reach2 = d2 * size * size;
+        const auto passed2 = square(moment);
         crossing_list<W, 4> list;
         if (!list.holds(every(is_positive(reach2), reach2 >= passed2))) return list;
 
         // t = middle + x half, and p(x) = q + x e.
-        const auto over_d2 = inverse(d2), unit = inverse(size);
+        const auto over_d2 = inverse(d2);
+        const auto unit = inverse(size);
         const auto middle = dot(l, d) * over_d2;
         const auto half = as_given(sqrt(reach2 - passed2) * over_d2);
-        const auto q = cross(moment, d) * (over_d2 * unit), e = d * (half * unit);
+        const auto q = cross(moment, d) * (over_d2 * unit);
+        const auto e = d * (half * unit);
         const auto a2 = square(a);
         const auto is_one = every(is_positive(major), is_positive(minor), is_positive(a2), is_positive(half));
         if (!list.holds(every(is_one, is_known_within(q, line.given(W(1)))))) return list;
 
-        const auto two = line.given(W(2)), none = line.given(W(0));
-        const auto major2 = square(major * unit), minor2 = square(minor * unit), four_major2 = two * two * major2;
+        const auto two = line.given(W(2));
+        const auto none = line.given(W(0));
+        const auto major2 = square(major * unit);
+        const auto minor2 = square(minor * unit);
+        const auto four_major2 = two * two * major2;
         const auto b = a * (two * major * unit * inverse(sqrt(a2)));
-        const auto q2 = square(q), e2 = square(e), qb = dot(q, b), eb = dot(e, b), g = q2 + (major2 - minor2);
+        const auto q2 = square(q);
+        const auto e2 = square(e);
+        const auto qb = dot(q, b);
+        const auto eb = dot(e, b);
+        const auto g = q2 + (major2 - minor2);
         auto f = polynomial_of(square(g) + (square(qb) - four_major2 * q2), two * (qb * eb),
                                two * e2 * g + (square(eb) - four_major2 * e2), none, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
         list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
                   [&](const polynomial_root<W>& root) {
-                      const auto x = root.place(), t = middle + half * x;
+                      const auto x = root.place();
+                      const auto t = middle + half * x;
                       if (is_ring) {
                           list.append(t, root);
                       } else {
@@ -158,7 +173,8 @@ private:
     template <class W>
     RAIO_FN static constexpr void append_outer(const bounded_number<W>& outer, const polynomial_root<W>& root,
                                                const bounded_number<W>& t, crossing_list<W, 4>& list) {
-        const auto x = root.place(), zero = line<W>::given(W(0));
+        const auto x = root.place();
+        const auto zero = line<W>::given(W(0));
         const auto counts = outer >= zero;
         const bool is_outer = list.holds(counts), on_axis = !is_settled(counts), entering = root.before > 0,
                    to_other = root.is_touched() && !entering;
@@ -175,7 +191,8 @@ private:
     template <class W, int K, proven_number A>
     RAIO_FN constexpr bool may_be_on_surface(const rounded_vector<W, K>& p, const A& major2, const A& minor2) const {
         const auto a = line<W>::given(axis);
-        const auto a2 = square(a), p2 = square(p);
+        const auto a2 = square(a);
+        const auto p2 = square(p);
         const auto rho2 = a2 * p2 - square(dot(p, a));  // times A.A
         return may_be_equal(a2 * square(p2 + (major2 - minor2)), line<W>::given(W(4)) * major2 * rho2);
     }

@@ -58,7 +58,9 @@ struct watertight_triangle {
         const auto over_z = inverse(z_of(d));
         const auto slope = d * over_z;
         const auto sheared = [&](const vec3<T>& corner) { return shear(along.to(turned(corner)), slope); };
-        const auto p = sheared(a), q = sheared(b), r = sheared(c);
+        const auto p = sheared(a);
+        const auto q = sheared(b);
+        const auto r = sheared(c);
         // Where the shear leaves too few digits, the volumes between edges and ray say the same.
         const auto volume = [&](const auto& first, const auto& second) {
             return determinant(line.direction(), first, second) * over_z;
@@ -66,9 +68,12 @@ struct watertight_triangle {
         const auto side = [&](const auto& of_shear, const vec3<T>& from, const vec3<T>& to) {
             return closer(of_shear, [&] { return volume(line.to(from), line.to(to)); });
         };
-        const auto u = side(cross_z(r, q), c, b), v = side(cross_z(p, r), a, c), w = side(cross_z(q, p), b, a);
+        const auto u = side(cross_z(r, q), c, b);
+        const auto v = side(cross_z(p, r), a, c);
+        const auto w = side(cross_z(q, p), b, a);
         const auto sides = vector_of(u, v, w);
-        const auto e1 = line.between(a, b), e2 = line.between(a, c);
+        const auto e1 = line.between(a, b);
+        const auto e2 = line.between(a, c);
         const auto det = closer(sum_of(sides), [&] { return volume(e2, e1); });
 
         const auto left = [&](const auto& x) { return is_not_negative(x, det); };
