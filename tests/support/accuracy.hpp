@@ -126,12 +126,13 @@ std::vector<recorded_crossing> recorded_crossings(const Shape& shape, const ray<
 
 /// The error that is stated of the recorded crossing that is nearest to t.
 inline oracle stated_error(const std::vector<recorded_crossing>& recorded, const oracle& t) {
-    oracle least = infinity<oracle>, error = 0;
+    oracle least = infinity<oracle>, error = 0, covering = 0;
     for (const recorded_crossing& c : recorded) {
         const oracle apart = abs(c.t - t);
         if (apart < least) least = apart, error = c.error;
+        if (apart <= c.error) covering = max(covering, oracle(c.error));  // beside a tip it may be either's
     }
-    return error;
+    return max(error, covering);
 }
 
 /// How much a crossing changes with the last places of the numbers given: where that is much, as of a ray that grazes
