@@ -19,7 +19,8 @@
 namespace raio::test {
 
 /// Ordinary rays leave less than one verdict in a hundred open. But of boxes one in four is flat, and a hit there is a
-/// tie; and of capsules one in eight is a sphere, whose axis has no direction.
+/// tie; and of capsules one in eight is a sphere, whose axis has no direction; and of round cones
+/// one in eight is all but that.
 template <class Shape>
 void check_packs(double may_be_left_open = 0.01, double may_be_asked_alone = 0.01) {
     using P = pack<number_t<Shape>>;
@@ -131,7 +132,7 @@ TEST_CASE_TEMPLATE("packs: cone", T, RAIO_NUMBERS) { check_packs<cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: open cone", T, RAIO_NUMBERS) { check_packs<open_cone<T>>(); }
 TEST_CASE_TEMPLATE("packs: frustum", T, RAIO_NUMBERS) { check_packs<frustum<T>>(); }
 TEST_CASE_TEMPLATE("packs: open frustum", T, RAIO_NUMBERS) { check_packs<open_frustum<T>>(); }
-TEST_CASE_TEMPLATE("packs: round cone", T, RAIO_NUMBERS) { check_packs<round_cone<T>>(0.01, 0.02); }
+TEST_CASE_TEMPLATE("packs: round cone", T, RAIO_NUMBERS) { check_packs<round_cone<T>>(0.02, 0.02); }
 TEST_CASE_TEMPLATE("packs: paraboloid", T, RAIO_NUMBERS) { check_packs<paraboloid<T>>(); }
 TEST_CASE_TEMPLATE("packs: open paraboloid", T, RAIO_NUMBERS) { check_packs<open_paraboloid<T>>(); }
 TEST_CASE_TEMPLATE("packs: hyperboloid", T, RAIO_NUMBERS) { check_packs<hyperboloid<T>>(); }

@@ -193,7 +193,7 @@ void check_closeness(const worst& seen, const closeness& least) {
     } else {
         CHECK(seen.part >= least.of_any);
     }
-    CHECK(2 * seen.known > seen.open);
+    CHECK(seen.known > seen.open);
 }
 
 /// As many as in so many packs.

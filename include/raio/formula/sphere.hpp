@@ -37,9 +37,8 @@ template <class W, int K, int L, int M>
     return between(every(crosses, is_root_told_from_zero(ar2, b)), near, far);
 }
 
-/// |p|^2 - radius^2 of a point p as seen from the centre of a sphere: its power (Steiner 1826), c above. Packs of floats
-/// find it in doubles.
-/// \tparam Roundings  of each of the numbers given
+/// |p|^2 - radius^2 of a point p as seen from the centre of a sphere: its power (Steiner 1826), c above. Packs of
+/// floats find it in doubles. \tparam Roundings  of each of the numbers given
 template <int Roundings, class W, class D>
 RAIO_FN constexpr bounded_number<W> power_of_point(const vec3<D>& p, const D& radius) {
     using E = bound_t<W>;

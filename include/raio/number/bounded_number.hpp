@@ -38,25 +38,26 @@ struct zero_number {
 
 namespace detail {
 
-/// What the smallest numbers lose of their digits comes to less than this in the end, where nothing is divided by less
-/// than `least_divisor`. Bounds do not count it on the way.
-/// (Numbers with a larger range than a double's lose nothing.)
+/// What the smallest numbers lose of their digits is less than this: of products of floats in float, of doubles. Bounds
+/// in float keep count of it. In double, and where roundings are all that is counted, a formula must not multiply
+/// products that are too small for their digits by more than 2^25 in float, 2^10 in double, before a root or an
+/// inverse, and by 2^49 or 2^114 without one. (Numbers with a larger range than a double's lose nothing.)
 template <class W>
 inline constexpr double lost = std::numeric_limits<scalar_t<W>>::max_exponent > 1024 ? 0
-                               : std::same_as<scalar_t<W>, float>                    ? 0x1p-90
+                               : std::same_as<scalar_t<W>, float>                    ? 0x1p-100
                                                                                      : 0x1p-960;
-template <class W>
-inline constexpr double least_divisor = std::numeric_limits<scalar_t<W>>::max_exponent > 1024 ? 0
-                                        : std::same_as<scalar_t<W>, float>                    ? 0x1p-50
-                                                                                              : 0x1p-960;
-
 template <class W>
 inline constexpr double greatest_divisor = lost<W> > 0 ? 1 / lost<W> : std::numeric_limits<double>::infinity();
 
 /// So many roundings of numbers of this size.
 template <class W>
 RAIO_FN constexpr bound_t<W> roundings(int count, const bound_t<W>& size) {
-    return bound_t<W>(count * unit_roundoff<W>) * size;
+    using E = bound_t<W>;
+    if constexpr (std::same_as<scalar_t<W>, float>) {
+        return E(count * unit_roundoff<W>) * size + E(lost<W>);
+    } else {
+        return E(count * unit_roundoff<W>) * size;
+    }
 }
 
 }  // namespace detail
@@ -220,14 +221,14 @@ RAIO_FN constexpr bounded_number<W> inverse(const bounded_number<W>& a) {
     W over = quotient(W(1), a.value, W(infinity<W>));
     // |1 / a - 1 / a'| = |a - a'| / |a a'|, and |a'| is at least half of |a|.
     E size = abs(E(over)), error = E(2) * a.error * size * size + detail::roundings<W>(1, size);
-    const mask_t<E> is_apart = size_of(a) > E(2) * a.error + E(detail::least_divisor<W>);
+    const mask_t<E> is_apart = size_of(a) > E(2) * a.error + E(detail::lost<W>);
     return {over, select(is_apart, error, E(infinity<E>))};
 }
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, K + 1> inverse(const rounded_number<W, K>& a) {
     using E = bound_t<W>;
     const E size = size_of(a);  // and of numbers that are too large, the inverse is too small for its digits
-    const mask_t<W> is_apart = every(size > E(detail::least_divisor<W>), size < E(detail::greatest_divisor<W>));
+    const mask_t<W> is_apart = every(size > E(detail::lost<W>), size < E(detail::greatest_divisor<W>));
     return {select(is_apart, W(1), W(std::numeric_limits<scalar_t<W>>::quiet_NaN())) / select(is_apart, a.value, W(1))};
 }
 
@@ -240,7 +241,7 @@ RAIO_FN constexpr auto operator/(const A& a, const B& b) {
     W over = quotient(W(1), below.value, W(infinity<W>)), ratio = above.value * over;
     // a / b - a' / b' = (a - a' - (a / b) (b - b')) / b', and |b'| is at least |b| less its error.
     E size = abs(E(ratio)), off = above.error + size * below.error, least = size_of(below) - below.error;
-    const mask_t<E> is_apart = least > E(detail::least_divisor<W>);
+    const mask_t<E> is_apart = least > E(detail::lost<W>);
     E error = last_precision<W> ? quotient(off, least, E(0)) : E(2) * off * abs(E(over));
     // ... which is at least half of |b|, or all is asked again
     const mask_t<E> is_half = last_precision<W> ? is_apart : every(is_apart, size_of(below) > E(2) * below.error);

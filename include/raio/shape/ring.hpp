@@ -19,8 +19,8 @@ RAIO_FN constexpr crossing<W> cross_between_rims(const given_vector<W>& d, const
     auto speed = dot(n, d);
     auto t = dot(n, to_center) * inverse(speed);
     auto distance2 = square(d * t - to_center);
-    auto exists = every(inner >= given_number<W>{W(0)}, outer > inner, is_positive(abs(speed)),
-                        distance2 >= inner * inner, outer * outer >= distance2);
+    auto exists = every(!is_positive(-inner), outer > inner, is_positive(abs(speed)), distance2 >= inner * inner,
+                        outer * outer >= distance2);
     return crossing_at(exists, t, speed.value < W(0));
 }
 
