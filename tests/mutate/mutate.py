@@ -51,7 +51,6 @@ SHAPES = {
     "math/depressed_quartic.hpp": ["shape/torus"],
     "bvh/presplit.hpp": ["bvh/bvh"],
     "bvh/assemble.hpp": ["bvh/bvh"],
-    "proof/refine.hpp": ["shape/sphere", "shape/triangle", "shape/cone"],
     "hit_record.hpp": ["shape/sphere"],
     "aabb.hpp": ["shape/disc"],
     "shape/surface_of_revolution.hpp": ["shape/curved_surface_of_revolution"],
