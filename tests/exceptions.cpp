@@ -36,12 +36,9 @@ void check_raises_none(int exceptions) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("exceptions: nothing is divided by zero, invalid, or out of range", T, RAIO_NUMBERS) {
-    check_raises_none<box<T>>(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-}
-
 /// These compare with what comes of infinities: of what nothing is known the error is infinite.
 TEST_CASE_TEMPLATE("exceptions: nothing is divided by zero, nor out of range", T, RAIO_NUMBERS) {
+    check_raises_none<box<T>>(FE_DIVBYZERO | FE_OVERFLOW);
     check_raises_none<sphere<T>>(FE_DIVBYZERO | FE_OVERFLOW);
     check_raises_none<ellipsoid<T>>(FE_DIVBYZERO | FE_OVERFLOW);
     check_raises_none<disc<T>>(FE_DIVBYZERO | FE_OVERFLOW);
