@@ -51,7 +51,8 @@ void check_sampling(const Shape& shape, ToSquare to_square) {
         REQUIRE(rec.front_face);
         REQUIRE(length(vec3<T>(rec.point - s.point)) < 64 * eps * (size + length(s.point)) + 2 * norm1(rec.error));
         const T roundings = detail::keeps_all_digits<T> ? 256 : 128;
-        REQUIRE(length(vec3<T>(rec.normal - s.normal)) < roundings * eps * (1 + length(s.point) / size) + 32 * norm1(rec.error) / size);
+        REQUIRE(length(vec3<T>(rec.normal - s.normal)) <
+                roundings * eps * (1 + length(s.point) / size) + 32 * norm1(rec.error) / size);
         const vec2<T> square = to_square(rec);
         const auto bin = [](T x) { return std::min(static_cast<int>(x * side), side - 1); };
         ++counts[static_cast<std::size_t>(bin(square.x) * side + bin(square.y))];
