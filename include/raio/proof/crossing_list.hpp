@@ -36,10 +36,6 @@ struct crossing_list {
     /// None, as far as it is settled whether there may be some.
     RAIO_FN constexpr explicit crossing_list(const verdict<bool>& exist) : certain(is_settled(exist)) {}
 
-    /// None yet of those at these roots.
-    template <std::size_t M>
-    RAIO_FN constexpr explicit crossing_list(const polynomial_roots<W, M>& roots) : certain(roots.certain) {}
-
     RAIO_FN constexpr const crossing<W>* begin() const { return crossings.data(); }
     RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
 
