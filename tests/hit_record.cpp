@@ -28,7 +28,8 @@ TEST_CASE_TEMPLATE("spawn_ray: starts on the side that the direction goes to, mo
 
     // Tangent to a torus from below: aside by an ulp of x is outside of it.
     constexpr T eps = std::numeric_limits<T>::epsilon();
-    const hit_record<T> below{.point = {-2, 0, 3}, .normal = {-eps, -1, eps}, .error = {eps, eps * eps, eps}};
+    hit_record<T> below{};
+    below.point = {-2, 0, 3}, below.normal = {-eps, -1, eps}, below.error = {eps, eps * eps, eps};
     CHECK(spawn_ray(below, up).origin == vec3<T>(-2, spawn_ray(below, up).origin.y, 3));
 }
 
@@ -63,7 +64,7 @@ TEST_CASE_TEMPLATE("spawn_ray: a layer 4e-5 behind another is not skipped", T, R
 
 TEST_CASE_TEMPLATE("assign: takes over all or nothing", T, RAIO_NUMBERS) {
     const hit_record<T> rec = record_on_floor<T>();
-    hit_record<T> to;
+    hit_record<T> to{};
     assign(false, to, rec);
     CHECK((to.t == T(0) && to.index == 0 && !to.front_face && to.point == vec3<T>(0)));
     assign(true, to, rec);

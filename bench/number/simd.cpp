@@ -86,7 +86,7 @@ struct packed {
         P best(raio::infinity<P>);
         raio::index_t<P> block(0), best_block(0);
         for (const Shape<P>& shape : shapes) {
-            auto c = shape.template crossings<P>(ray);
+            auto c = shape.crossings(line_in<P>(ray));
             P t;
             raio::mask_t<P> hit;
             if constexpr (requires { c.near; }) {

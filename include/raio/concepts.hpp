@@ -60,57 +60,84 @@ RAIO_FN constexpr const auto& held(const H& h) {
 template <holder H>
 using held_t = std::remove_cvref_t<decltype(held(std::declval<const H&>()))>;
 
-/// Does the shape take rays of any precision?
-template <class P, class R>
-concept crossed_by = requires(const P shape, const ray<R> ray) {
-    shape.template crossings<exact_t<number_t<P>>>(ray);
+/// Does the shape have a formula, which takes any line? (Packs are asked lane by lane.)
+template <class P>
+concept has_formula = !has_lanes<number_t<P>> && requires(const P shape, const mapped_line<exact_t<number_t<P>>> line) {
+    shape.crossings(line);
 };
 
-template <real T, real R>
-RAIO_FN constexpr ray<T> rounded(const ray<R>& r) {
-    return {vec3<T>(r.origin), vec3<T>(r.direction)};
+/// What a shape has recorded that knows plain rays only, as it is seen through the maps.
+template <real T>
+RAIO_FN constexpr hit_record<T> seen(const mapped_ray<T>& ray, hit_record<T> rec) {
+    using Q = working_t<T>;
+    const auto [origin, direction] = ray.rounded();
+    // The mapped ray was rounded, and so is the mapped point.
+    const T rounding = norm1(origin) + norm1(direction) * abs(rec.t);
+    rec.error = vec3<T>(ray.stretched(norm1(rec.error) + rounding * T(4 * unit_roundoff<T>)));
+    rec.point = within_range(vec3<T>(ray.point(vec3<Q>(rec.point))));
+    rec.error += abs(rec.point) * T(unit_roundoff<T>);
+    rec.normal = vec3<T>(normalize_from<T>(ray.across(vec3<Q>(rec.normal))));
+    return rec;
 }
 
-// The three questions, put with a ray of any precision and answered with a normal of any. Shapes and compositions take
-// both as they are. Of what knows its own number type only, the ray is rounded to it.
+// The three questions, put with a ray as it is or mapped. What knows plain rays only is asked with the mapped one,
+// rounded.
 
-template <primitive P, real R, real N>
-RAIO_FN constexpr mask_t<number_t<P>> hit(const P& shape, const ray<R>& ray, number_t<P> t_min, number_t<P> t_max,
-                                          hit_record<number_t<P>, N>& rec) {
+template <primitive P, class Ray, record Record>
+RAIO_FN constexpr mask_t<number_t<P>> hit(const P& shape, const Ray& ray, number_t<P> t_min, number_t<P> t_max,
+                                          Record& rec) {
     using T = number_t<P>;
-    if constexpr (!std::same_as<R, T> && crossed_by<P, R>) {
-        return first_hit(shape, ray, t_min, t_max, rec);
-    } else if constexpr (requires { shape.hit(ray, t_min, t_max, rec); }) {
+    if constexpr (requires { shape.hit(ray, t_min, t_max, rec); }) {
         return shape.hit(ray, t_min, t_max, rec);
+    } else if constexpr (has_formula<P>) {
+        return first_hit(shape, ray, t_min, t_max, rec);
     } else {
         hit_record<T> own;
-        const mask_t<T> met = shape.hit(rounded<T>(ray), t_min, t_max, own);
-        if (any(met))
-            assign(met, rec, {own.t, own.point, vec3<N>(own.normal), own.uv, own.error, own.index, own.front_face});
-        return met;
+        if constexpr (is_mapped<Ray>) {
+            if (!shape.hit(ray.rounded(), t_min, t_max, own)) return false;
+            own = seen(ray, own);
+        } else {
+            if (!shape.hit(ray, t_min, t_max, own)) return false;
+        }
+        assign(rec, own);
+        return true;
     }
 }
 
-template <primitive P, real R>
-RAIO_FN constexpr mask_t<number_t<P>> occluded(const P& shape, const ray<R>& ray, number_t<P> t_min,
-                                               number_t<P> t_max) {
-    if constexpr (!std::same_as<R, number_t<P>> && crossed_by<P, R>) {
-        return any_hit(shape, ray, t_min, t_max);
-    } else if constexpr (requires { shape.occluded(ray, t_min, t_max); }) {
+/// Is t kept as it was found, to be read again?
+template <class Record, class T>
+concept keeps_t = requires(Record& rec) {
+    requires std::same_as<std::remove_cvref_t<decltype(rec.t)>, T>;
+};
+
+/// `hit` of an aggregate that has to compare t, for a record that does not keep it.
+template <class P, class Ray, real T, record Record>
+RAIO_FN constexpr mask_t<T> hit_in_between(const P& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
+    hit_record<T> own;
+    if (!shape.hit(ray, t_min, t_max, own)) return false;
+    assign(rec, own);
+    return true;
+}
+
+template <primitive P, class Ray>
+RAIO_FN constexpr mask_t<number_t<P>> occluded(const P& shape, const Ray& ray, number_t<P> t_min, number_t<P> t_max) {
+    if constexpr (requires { shape.occluded(ray, t_min, t_max); }) {
         return shape.occluded(ray, t_min, t_max);
+    } else if constexpr (has_formula<P>) {
+        return any_hit(shape, ray, t_min, t_max);
     } else {
-        return shape.occluded(rounded<number_t<P>>(ray), t_min, t_max);
+        return shape.occluded(ray.rounded(), t_min, t_max);
     }
 }
 
-template <solid P, real R>
-RAIO_FN constexpr auto spans_of(const P& shape, const ray<R>& ray) {
-    if constexpr (!std::same_as<R, number_t<P>> && crossed_by<P, R>) {
-        return inside_of(shape, ray);
-    } else if constexpr (requires { shape.spans(ray); }) {
+template <solid P, class Ray>
+RAIO_FN constexpr auto spans_of(const P& shape, const Ray& ray) {
+    if constexpr (requires { shape.spans(ray); }) {
         return shape.spans(ray);
+    } else if constexpr (has_formula<P>) {
+        return inside_of(shape, ray);
     } else {
-        return shape.spans(rounded<number_t<P>>(ray));
+        return shape.spans(ray.rounded());
     }
 }
 

@@ -5,18 +5,66 @@
 
 namespace raio {
 
-/// Everything about the place where a ray met a shape. N is the number type of the normal: a map that has yet to turn
-/// it asks for more digits than T has.
-template <real T, real N = T>
+/// Everything about the place where a ray met a shape. It has no values until something is hit.
+///
+/// What a program has no use for it need not pay for: `hit` fills any struct that has a `t`, and of the other members
+/// those that the struct has, in the types that they have there.
+template <real T>
 struct hit_record {
-    T t{};                   ///< ray parameter, in lengths of the ray's direction
-    vec3<T> point{T(0)};     ///< where
-    vec3<N> normal{N(0)};    ///< unit, against the ray's direction, up to its rounding
-    vec2<T> uv{T(0)};        ///< surface coordinates in [0, 1]^2, as the shape documents them
-    vec3<T> error{T(0)};     ///< how far `point` may be from the exact crossing, axis by axis
-    index_t<T> index{};      ///< which member of an aggregate was hit; 0 where there are no members
-    mask_t<T> front_face{};  ///< did the ray come from outside? The outward normal is `front_face ? normal : -normal`
+    T t;                   ///< ray parameter, in lengths of the ray's direction
+    vec3<T> point;         ///< where
+    vec3<T> normal;        ///< unit, against the ray's direction, up to its rounding
+    vec2<T> uv;            ///< surface coordinates in [0, 1]^2, as the shape documents them
+    vec3<T> error;         ///< how far `point` may be from the exact crossing, axis by axis
+    index_t<T> index;      ///< which member of an aggregate was hit; 0 where there are no members
+    mask_t<T> front_face;  ///< did the ray come from outside? The outward normal is `front_face ? normal : -normal`
 };
+
+/// What of a hit is recorded: what the record has.
+template <class Record>
+concept has_point = requires(Record& rec) {
+    rec.point;
+};
+template <class Record>
+concept has_normal = requires(Record& rec) {
+    rec.normal;
+};
+template <class Record>
+concept has_uv = requires(Record& rec) {
+    rec.uv;
+};
+template <class Record>
+concept has_error = requires(Record& rec) {
+    rec.error;
+};
+template <class Record>
+concept has_index = requires(Record& rec) {
+    rec.index;
+};
+template <class Record>
+concept has_front_face = requires(Record& rec) {
+    rec.front_face;
+};
+
+/// A struct that `hit` can fill. It has to have a `t`.
+template <class Record>
+concept record = requires(Record& rec) {
+    rec.t;
+};
+
+namespace detail {
+
+/// Assigns a member of a record, which may be of another type.
+template <class To, class From>
+RAIO_FN constexpr void put(To& to, const From& from) {
+    if constexpr (requires { static_cast<To>(from); }) {
+        to = static_cast<To>(from);
+    } else {
+        to = from;
+    }
+}
+
+}  // namespace detail
 
 /// The nearest that T can say to a point beyond its largest number.
 template <real T>
@@ -28,15 +76,29 @@ RAIO_FN constexpr vec3<T> within_range(const vec3<T>& p) {
 
 /// Takes `from` over into `to`, in the lanes of the mask. (Not asked whether that is all of them: a pack that is
 /// written where the mask is set need not be read.)
-template <real T, real N>
-RAIO_FN constexpr void assign(mask_t<T> mask, hit_record<T, N>& to, const hit_record<T, N>& from) {
+template <class Mask, record Record>
+RAIO_FN constexpr void assign(const Mask& mask, Record& to, const Record& from) {
     to.t = select(mask, from.t, to.t);
-    to.point = select(mask, from.point, to.point);
-    to.normal = select(mask, from.normal, to.normal);
-    to.uv = select(mask, from.uv, to.uv);
-    to.error = select(mask, from.error, to.error);
-    to.index = select(mask, from.index, to.index);
-    to.front_face = some(every(mask, from.front_face), every(!mask, to.front_face));
+    if constexpr (has_point<Record>) to.point = select(mask, from.point, to.point);
+    if constexpr (has_normal<Record>) to.normal = select(mask, from.normal, to.normal);
+    if constexpr (has_uv<Record>) to.uv = select(mask, from.uv, to.uv);
+    if constexpr (has_error<Record>) to.error = select(mask, from.error, to.error);
+    if constexpr (has_index<Record>) to.index = select(mask, from.index, to.index);
+    if constexpr (has_front_face<Record>) {
+        to.front_face = some(every(mask, from.front_face), every(!mask, to.front_face));
+    }
+}
+
+/// Takes over what the record has room for.
+template <record Record, real T>
+RAIO_FN constexpr void assign(Record& to, const hit_record<T>& from) {
+    detail::put(to.t, from.t);
+    if constexpr (has_point<Record>) detail::put(to.point, from.point);
+    if constexpr (has_normal<Record>) detail::put(to.normal, from.normal);
+    if constexpr (has_uv<Record>) detail::put(to.uv, from.uv);
+    if constexpr (has_error<Record>) detail::put(to.error, from.error);
+    if constexpr (has_index<Record>) detail::put(to.index, from.index);
+    if constexpr (has_front_face<Record>) detail::put(to.front_face, from.front_face);
 }
 
 /// A ray that leaves the surface at the recorded point and never meets that point again: its origin is moved to the

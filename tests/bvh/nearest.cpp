@@ -70,7 +70,7 @@ struct leaves_of_marks {
 template <class T>
 using marks = detail::leaf_kinds<leaves_of_marks<T>, leaves_of_marks<T>>;
 template <class T>
-using nearest_mark = detail::nearest<T, marks<T>, T, T>;
+using nearest_mark = detail::nearest<T, marks<T>, ray<T>, hit_record<T>>;
 
 }  // namespace
 
@@ -151,7 +151,7 @@ TEST_CASE_TEMPLATE("nearest: nobody but the nearest is asked where packs can tel
     CHECK(asked == 3);  // both that were open, and not the one that is beyond the first of them
 }
 
-TEST_CASE("nearest: a ray of more digits than the shapes, which have packs or none") {
+TEST_CASE("nearest: a ray that was mapped, of shapes that have packs or none") {
     using kinds = detail::leaf_kinds<detail::leaf_blocks<sphere<float>>, detail::leaf_list<convex_polyhedron<float>>>;
     kinds leaves;
     auto& [spheres, solids] = leaves.all;
@@ -162,26 +162,31 @@ TEST_CASE("nearest: a ray of more digits than the shapes, which have packs or no
     spheres.resize(of_spheres), solids.resize(of_solids);
     spheres.fill(0, std::span(ids).first(2), [&](std::uint32_t id) { return id == 0 ? behind : in_front; });
     solids.fill(0, std::span(ids).last(1), [&](std::uint32_t) { return half; });
-    const auto check = [&](const ray<double>& fine, auto& shape, std::uint32_t index) {
-        hit_record<float, double> rec, expected;
-        detail::nearest<float, kinds, double, double> query(leaves, fine, 0.0f, infinity<float>, rec);
+    const auto check = [&](const ray<float>& world, const vec3<float>& moved, auto& shape, std::uint32_t index) {
+        const inverse_map<float> map(translation<float>(moved));
+        const mapped_ray<float> ray(world, map);
+        hit_record<float> rec, expected;
+        detail::nearest<float, kinds, mapped_ray<float>, hit_record<float>> query(leaves, ray, 0.0f, infinity<float>,
+                                                                                  rec);
         query.visit<0>(0), query.visit<1>(0);
         REQUIRE(query.finish());
-        REQUIRE(detail::hit(shape, fine, 0.0f, infinity<float>, expected));
+        REQUIRE(detail::hit(shape, ray, 0.0f, infinity<float>, expected));
         CHECK((rec.t == expected.t && rec.point == expected.point && rec.normal == expected.normal));
         CHECK(rec.index == index);
     };
-    check({{0.1, 0.1, 0}, {0.01, 0, -1}}, in_front, 1);
-    check({{1 + 1e-12, 0, 0}, {0, 0, -1}}, half, 2);  // rounded to a float it would touch the spheres
-    check({{0.1, 0.1, -7}, {0, 0, -1}}, behind, 0);
+    check({{0.1f, 0.1f, 0}, {0.01f, 0, -1}}, {0, 0, 0}, in_front, 1);
+    check({{1, 0, 0}, {0, 0, -1}}, {-1e-12f, 0, 0}, half, 2);  // rounded to a float it would touch the spheres
+    check({{0.1f, 0.1f, 0}, {0, 0, -1}}, {0, 0, 7}, behind, 0);
 
-    // What knows its own number type only; a miss records nothing.
+    // What knows plain rays only; a miss records nothing.
     int asked = 0;
-    hit_record<float, double> rec;
+    hit_record<float> rec{};
     rec.t = 77;
-    const ray<double> fine{{0, 0, 0}, {1, 0, 0}};
-    CHECK((!detail::hit(mark<float>{false, 5, &asked}, fine, 0.0f, infinity<float>, rec) && rec.t == 77));
-    CHECK((detail::hit(mark<float>{true, 5, &asked}, fine, 0.0f, infinity<float>, rec) && rec.t == 5));
+    const ray<float> world{{0, 0, 0}, {1, 0, 0}};
+    const inverse_map<float> none(transform<float>{});
+    const mapped_ray<float> ray(world, none);
+    CHECK((!detail::hit(mark<float>{false, 5, &asked}, ray, 0.0f, infinity<float>, rec) && rec.t == 77));
+    CHECK((detail::hit(mark<float>{true, 5, &asked}, ray, 0.0f, infinity<float>, rec) && rec.t == 5));
 }
 
 }  // namespace raio::test

@@ -7,6 +7,7 @@
 
 #include "support/bounds.hpp"
 #include "support/cases.hpp"
+#include "support/linear_inverse.hpp"
 #include "support/packs.hpp"
 #include "support/spheres.hpp"
 #include "support/triangles.hpp"
@@ -85,20 +86,6 @@ struct subject<posed<P>> {
     }
 };
 
-/// Keeps the ray that it was asked with.
-template <class T>
-struct listener {
-    using number = T;
-    mutable ray<wider_t<T>> heard;
-
-    bool hit(const ray<T>&, T, T, hit_record<T>&) const { return false; }
-    bool occluded(const ray<T>&, T, T) const { return false; }
-    bool occluded(const ray<wider_t<T>>& ray, T, T) const {
-        heard = ray;
-        return false;
-    }
-};
-
 /// As check_cases, but for the oracle, which knows no map.
 template <class P>
 void check_image_cases(const std::vector<named_case<posed<P>>>& cases) {
@@ -173,22 +160,19 @@ TEST_CASE_TEMPLATE("transformed: normals under uneven scale go by the inverse tr
     CHECK(length(vec3<T>(rec.normal - vec3<T>(std::sqrt(T(0.5)), std::sqrt(T(0.5)), 0))) < 4 * eps);
 }
 
-TEST_CASE("transformed: so flat a map that a normal's coordinate adds up to infinity") {
-    const probe<posed<sphere<double>>> p{
+TEST_CASE("transformed: a map whose determinant is lost among its terms, or too small for its digits, is singular") {
+    const probe<posed<sphere<double>>> flat{
         {{{-0.125, -0.125, -0.125}, 4.5},
          {{11.375, 0, 1}, {4.125, 0, 1}, {0x1p-1022, 0x1p-1022, 2.375}, {2.375, 2.375, 2.375}}},
         {{2.375, 2.375, 0}, {0x1p-1022, 0x1p-1022, 0}}};
-    CHECK(unsound_answer(p) == "");
-    CHECK(p.shape.occluded(p.ray, p.t_min, p.t_max));
-}
-
-TEST_CASE("transformed: so uneven a map that doubles are left without a normal") {
-    const probe<posed<triangle<float>>> p{
+    CHECK(unsound_answer(flat) == "");
+    CHECK(!flat.shape.occluded(flat.ray, flat.t_min, flat.t_max));
+    const probe<posed<triangle<float>>> uneven{
         {{{-2, 2, -2}, {2, 0, -3}, {0, 0, 0}},
          {{-3, 3, -3}, {std::numeric_limits<float>::max(), -3, -3}, {1, 2, -2}, {1, -3, -2}}},
         {{-2, -3, -2}, {-2, -2, 0}}};
-    CHECK(unsound_answer(p) == "");
-    CHECK(p.shape.occluded(p.ray, p.t_min, p.t_max));
+    CHECK(unsound_answer(uneven) == "");
+    CHECK(!uneven.shape.occluded(uneven.ray, uneven.t_min, uneven.t_max));
 }
 
 TEST_CASE_TEMPLATE("transformed: uv, index and side are the primitive's", T, RAIO_NUMBERS) {
@@ -276,33 +260,6 @@ TEST_CASE_TEMPLATE("transformed: properties of every shape", T, RAIO_NUMBERS) {
     check_properties<posed<triangle<T>>>();
 }
 
-/// The product of the columns' lengths over the determinant: 1 if they are at right angles.
-oracle unevenness(const transform<oracle>& map) {
-    return length(map.x) * length(map.y) * length(map.z) / abs(dot(map.x, cross(map.y, map.z)));
-}
-
-TEST_CASE_TEMPLATE("transformed: the mapped ray is right to 2^-50, or 2^-102 for double", T, RAIO_NUMBERS) {
-    for_random_probes<posed<sphere<T>>>("mapped ray", at_least(10'000), [](const auto& p, auto&) -> std::string {
-        const transform<oracle> map = converted<oracle>(p.shape.map);
-        const linear_inverse<oracle> inverse(map);
-        const oracle det = dot(map.x, cross(map.y, map.z));
-        if (det == 0) return "";
-        const listener<T> ear{};
-        transformed(&ear, p.shape.map).occluded(p.ray, p.t_min, p.t_max);
-        const vec3<oracle> from = vec3<oracle>(p.ray.origin) - map.origin, along(p.ray.direction);
-        const vec3<oracle> off = abs(exactly(ear.heard.origin) - inverse(from));
-        const vec3<oracle> turn = abs(exactly(ear.heard.direction) - inverse(along));
-        const oracle bound = std::same_as<T, float> ? oracle(0x1p-50) : 0x1p-102 * unevenness(map);
-        const auto within = [&](const oracle& error, const vec3<oracle>& row, const vec3<oracle>& v) {
-            return error <= bound * length(row) * length(v);
-        };
-        const bool right = within(off.x, inverse.x, from) && within(off.y, inverse.y, from) &&
-                           within(off.z, inverse.z, from) && within(turn.x, inverse.x, along) &&
-                           within(turn.y, inverse.y, along) && within(turn.z, inverse.z, along);
-        return right ? "" : "off";
-    });
-}
-
 TEST_CASE("transformed: the bound of how far the point is off the image, from above as well") {
     random_numbers random(12);
     part_of_bound of_point;
@@ -327,98 +284,77 @@ TEST_CASE("transformed: the bound of how far the point is off the image, from ab
     CHECK(of_point.largest > 0.5);
 }
 
-/// t against the exact crossing of the exactly mapped ray: within 4 ulp, but for what the rounded ray explains where it
-/// grazes. The normal within 4 roundings, the point within its error.
+/// Against the crossings of the exactly mapped ray: the same verdict, t the nearest float, or a few last places off in
+/// double; the normal within a few roundings of the map, the point within its error.
 template <class P>
-std::string inexact_image(const probe<posed<P>>& p, int& hits, int& grazing) {
+std::string inexact_image(const probe<posed<P>>& p, int& hits) {
     using T = number_t<P>;
-    hit_record<T> rec;
-    if (!p.hit(rec)) return "";
-    ++hits;
     const transform<oracle> map = converted<oracle>(p.shape.map);
     const linear_inverse<oracle> inverse(map);
     const vec3<oracle> from = vec3<oracle>(p.ray.origin) - map.origin, along(p.ray.direction);
     const ray<oracle> back{inverse(from), inverse(along)};
     const auto shape = converted<oracle>(p.shape.shape);
-    const oracle ulp(std::nextafter(std::abs(rec.t), infinity<T>) - std::abs(rec.t));
-    const listener<T> ear{};
-    transformed(&ear, p.shape.map).occluded(p.ray, p.t_min, p.t_max);
-    const std::vector computed = all_crossings<double_double>(p.shape.shape, ear.heard);
-    const std::vector crossings = all_crossings<oracle>(shape, back);
-    const oracle stated = detail::keeps_all_digits<T>
-                              ? stated_error(recorded_crossings(p.shape.shape, ear.heard), oracle(rec.t))
-                              : oracle(0);
-    // How far the rounded ray may stray: by its own roundings, and those of the determinant.
-    const vec3<oracle> x = abs(map.x), y = abs(map.y), z = abs(map.z);
-    const oracle bound = std::same_as<T, float>
-                             ? oracle(0x1p-48)
-                             : 0x1p-96 + 0x1p-102 * permanent(x, y, z) / abs(dot(map.x, cross(map.y, map.z)));
-    const auto straying = [&](const vec3<oracle>& path) {
-        return vec3<oracle>(dot(abs(inverse.x), path), dot(abs(inverse.y), path), dot(abs(inverse.z), path)) * bound;
-    };
-    const auto off_ray = [&](const oracle& t) { return straying(abs(from) + abs(along * t)); };
-    const ray<oracle> heard{exactly(ear.heard.origin), exactly(ear.heard.direction)};
-    const auto exceeds = [](const vec3<oracle>& by, const vec3<oracle>& at_most) {
-        return abs(by.x) > at_most.x || abs(by.y) > at_most.y || abs(by.z) > at_most.z;
-    };
-    if (exceeds(heard.origin - back.origin, straying(abs(from))) ||
-        exceeds(heard.direction - back.direction, straying(abs(along))))
-        return "mapped back with too large an error";
-    const auto exists = [](const crossing<oracle>& c) { return c.exists; };
-    if (std::ranges::none_of(crossings, exists) && std::ranges::any_of(all_crossings<oracle>(shape, heard), exists)) {
-        ++grazing;  // it strays over an edge
-        return "";
-    }
-    std::string wrong = "false hit";
-    for (std::size_t i = 0; i < crossings.size(); ++i) {
-        crossing<oracle> c = crossings[i];
-        if (!c.exists || c.entering != rec.front_face) continue;
-        // How far the rounded ray strays moves the crossing along the ray, the farther the more it grazes.
-        hit_record<oracle> exact, strayed;
-        shape.surface(back, c, exact);
-        const oracle facing = abs(dot(exact.normal, normalize(back.direction)));
-        const oracle strays = length(off_ray(c.t)) / (facing * length(back.direction)) + exactly(computed[i].error);
-        const oracle excuse = strays + stated;
-        wrong = "t = " + literal(rec.t) + " for " + literal(rounded<T>(c.t));
-        if (abs(c.t - oracle(rec.t)) > 4 * ulp + excuse) continue;
-        if (strays > ulp) {
-            ++grazing;
+    hit_record<T> rec;
+    const bool hit = p.hit(rec);
+    hits += hit;
+    for (const crossing<oracle>& c : all_crossings<oracle>(shape, back)) {
+        if (!c.exists) continue;
+        const T t = rounded<T>(c.t);
+        // Of double, t may be off: which side of an end of the window it is on is not known.
+        const oracle off = abs(c.t - oracle(rec.t)) * length(along);
+        const oracle rounding = abs(c.t) * length(along) * oracle(unit_roundoff<T>);
+        const bool is_it = detail::keeps_all_digits<T> ? off <= oracle(length(rec.error)) + rounding : t == rec.t;
+        if (hit && is_it) {
+            if (c.entering != rec.front_face) return "the other side";
+            hit_record<oracle> exact;
+            detail::record_crossing(shape, back, c, exact);
+            const oracle turned = length(normalize(inverse.transposed(exact.normal)) - vec3<oracle>(rec.normal));
+            // A step of the point in the shape's own space, or a rounding there, turns what is seen by as much times
+            // the condition of the map.
+            const oracle inward = norm1(inverse.x) + norm1(inverse.y) + norm1(inverse.z);
+            const oracle condition = inward * (norm1(map.x) + norm1(map.y) + norm1(map.z));
+            const oracle reach = norm1(from) + abs(c.t) * norm1(along);
+            const oracle moved = inward * (norm1(vec3<oracle>(rec.error)) + 16 * oracle(0x1p-53) * reach);
+            if (turned > 4 * oracle(unit_roundoff<T>) + condition * (moved + 16 * oracle(0x1p-53)))
+                return "normal off by " + literal(rounded<T>(turned));
+            const vec3<oracle> away = abs(vec3<oracle>(p.ray.origin) + along * c.t - vec3<oracle>(rec.point));
+            if (away.x > oracle(rec.error.x) || away.y > oracle(rec.error.y) || away.z > oracle(rec.error.z))
+                return "point off";
             return "";
         }
-        const vec3<oracle> off = abs(vec3<oracle>(p.ray.origin) + along * c.t - vec3<oracle>(rec.point));
-        c.t += excuse;
-        shape.surface(back, c, strayed);
-        const vec3<oracle> normal = normalize(inverse.transposed(exact.normal));
-        const oracle explained = length(normal - normalize(inverse.transposed(strayed.normal)));
-        const oracle turned = length(normal - vec3<oracle>(rec.normal));
-        if (turned > 4 * oracle(std::numeric_limits<T>::epsilon()) + explained) {
-            return "normal off by " + literal(rounded<T>(turned));
-        }
-        const auto beyond = [&](const oracle& distance, T error, const oracle& direction) {
-            return distance > oracle(error) + excuse * abs(direction);
-        };
-        if (beyond(off.x, rec.error.x, along.x) || beyond(off.y, rec.error.y, along.y) ||
-            beyond(off.z, rec.error.z, along.z)) {
-            return "point off";
-        }
-        return "";
+        // Of double, t may be off: on which side of an end of the window it is.
+        const oracle from_end = min(abs(c.t - oracle(p.t_min)), abs(c.t - oracle(p.t_max)));
+        const bool at_end = detail::keeps_all_digits<T> &&
+                            from_end * length(along) <= 0x1p-40 * (length(from) + abs(c.t) * length(along));
+        if (p.t_min <= t && t <= p.t_max && !at_end) return "t = " + literal(rec.t) + " for " + literal(t);
     }
-    return wrong;
+    return hit ? "false hit at " + literal(rec.t) : "";
+}
+
+/// Do 106 bits leave it open? What they cannot tell apart is a tie.
+template <class P>
+bool is_open(const probe<posed<P>>& p) {
+    using T = number_t<P>;
+    const inverse_map<T> map(p.shape.map);
+    const std::vector found = crossings_along(p.shape.shape, line_in<double_double>(mapped_ray<T>(p.ray, map)));
+    return std::ranges::any_of(found, [](const auto& c) { return !c.certain; });
 }
 
 template <class P>
 void check_image() {
-    int hits = 0, grazing = 0, complaints = 0;
+    int hits = 0, complaints = 0, open = 0;
     random_numbers random(12);
     for (int i = 0; i < at_least(20'000); ++i) {
         const auto p = scattered_probe<posed<P>>(random);
-        const std::string wrong = inexact_image(p, hits, grazing);
-        if (!wrong.empty() && ++complaints <= 3) FAIL_CHECK(wrong << "\n    {" << literal(p) << "}");
+        const std::string wrong = inexact_image(p, hits);
+        if (!wrong.empty() && is_open(p)) {
+            ++open;
+        } else if (!wrong.empty() && ++complaints <= 3)
+            FAIL_CHECK(wrong << "\n    {" << literal(p) << "}");
     }
-    MESSAGE(hits << " hits, " << grazing << " of them graze");
     CHECK(complaints == 0);
+    CHECK(open < 20);
     CHECK(hits > 5'000);
-    CHECK(grazing < hits / 4);  // mostly rays from the surface itself, whose t is next to nothing
 }
 
 TEST_CASE_TEMPLATE("transformed: as exact arithmetic", T, RAIO_NUMBERS) {

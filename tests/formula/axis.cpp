@@ -21,7 +21,8 @@ chord<N> slab(double height, double down, double error = 0) {
 template <class N>
 chord<N> below(double height, double down) {
     const vec3<double> vertex(0, 0, 0), top(0, 0, 2);
-    return detail::cross_upper_plane<N>(vertex, top, ray<double>{{0, 0, height}, {1, 0, -down}});
+    const ray<double> ray{{0, 0, height}, {1, 0, -down}};
+    return detail::cross_upper_plane(vertex, top, line_in<N>(ray));
 }
 
 bool sure_of(const chord<W>& c, bool exists) {
@@ -63,7 +64,7 @@ TEST_CASE("axis: below a plane a line begins or ends, or is at no end") {
     // At no height, and the numbers that it is computed from are rounded: strict_double does not know the side.
     const vec3<double> vertex(0, 0, 0), top(0.1, 0.2, 0.3);
     const ray<double> along{{0.1 + 0.3, 0.2, 0.3 - 0.1}, {3, 0, -1}};
-    const chord<W> open = detail::cross_upper_plane<W>(vertex, top, along);
+    const chord<W> open = detail::cross_upper_plane(vertex, top, line_in<W>(along));
     CHECK((!open.near.certain && !open.far.certain));
 }
 

@@ -44,7 +44,7 @@ TEST_CASE("plane: the bound of t, from above as well") {
         const vec3<double> normal = some_vector(random), point = some_vector(random);
         const ray<double> ray{point + all_but_across(normal, random), all_but_across(normal, random)};
         const vec3<oracle> n(normal), d(ray.direction), from_point = vec3<oracle>(ray.origin) - vec3<oracle>(point);
-        const line<W, double> line{ray};
+        const auto line = line_in<W>(ray);
         const auto along = line.given(normal);
         const chord<W> c = cross_half_space(dot(along, line.from(point)), dot(along, line.direction()), 0u);
         const oracle t = -dot(n, from_point) / dot(n, d);

@@ -66,7 +66,8 @@ TEST_CASE("revolved_crossing: what a line passes by, it passes by, and it tells 
         if (random.one_in(2)) t_min = random.one_in(2) ? 1 : static_cast<float>(random.uniform(0, 2));
         if (random.one_in(2)) t_max = random.one_in(2) ? 1 : static_cast<float>(random.log_uniform(1e-4, 1e4));
 
-        const detail::line_beside_axis<strict_double> line(ray, base, axis, whole, t_min, t_max);
+        const detail::line_beside_axis<strict_double> line(line_in<strict_double>(ray), base, axis, whole, t_min,
+                                                           t_max);
         const double from = (1 - rounding) * static_cast<double>(t_min),
                      to = (1 + rounding) * static_cast<double>(t_max);
         const interval<oracle> seen = distances(ray, base, axis, part, from, to);

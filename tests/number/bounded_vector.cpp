@@ -136,6 +136,14 @@ TEST_CASE_TEMPLATE("bounded_vector: what a product or a sum is off by is within 
     check_vectors<W>("cross", {0.5, 0.4}, [](const auto& a, const auto& b) { return cross(a, b); });
     check_vectors<W>("sum", {0.9, 0.8}, [](const auto& a, const auto& b) { return a + b; });
     check_vectors<W>("difference", {0.9, 0.8}, [](const auto& a, const auto& b) { return a - b; });
+    check_vectors<W>("component by component", {0.3, 0.3}, [](const auto& a, const auto& b) { return a * b; });
+    check_vectors<W>("shear", {0.3, 0.3}, []<class V>(const V& v, const auto& slope) {
+        if constexpr (proven_vector<V>) {
+            return shear(v, slope);
+        } else {
+            return V(v.x - slope.x * v.z, v.y - slope.y * v.z, v.z);
+        }
+    });
     check_vectors<W, true>("square", {0.5, 0.5}, [](const auto& a, const auto&) { return square(a); });
     check_vectors<W, true>("opposite", {0.9, 0}, [](const auto& a, const auto&) { return -a; });
 }

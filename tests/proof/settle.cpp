@@ -47,22 +47,25 @@ struct told {
     chord<W> quick{at<W>(2), at<W>(6)};
     chord<X> exact{at<X>(3), at<X>(7)};
 
-    template <class N, real R>
-    chord<N> crossings(const ray<R>&) const {
+    template <class Line, class N = typename Line::number>
+    chord<N> crossings(const Line&) const {
         if constexpr (std::same_as<N, W>) {
             return quick;
         } else {
             return exact;
         }
     }
-    template <class N, real R>
-    void surface(const ray<R>&, const crossing<N>& c, hit_record<T>& rec) const {
-        rec.t = T(c.t);
+    void surface(auto& at) const {
+        at.record_point();
+        at.record_normal(vec3<T>(0, 0, 1));
+        at.record_uv([] { return vec2<T>(0); });
     }
 
     /// t of the hit; -1 if there is none.
     T hit(T t_min = 0, T t_max = infinity<T>) const {
-        hit_record<T> rec;
+        struct {
+            T t;
+        } rec;
         return first_hit(*this, any<T>(), t_min, t_max, rec) ? rec.t : T(-1);
     }
     bool occluded(T t_min = 0, T t_max = infinity<T>) const { return any_hit(*this, any<T>(), t_min, t_max); }
@@ -71,34 +74,29 @@ struct told {
 /// The same, whose first crossing is its only one.
 template <class T>
 struct told_of_one : told<T> {
-    template <class N, real R>
-    crossing<N> crossings(const ray<R>& ray) const {
-        return told<T>::template crossings<N>(ray).near;
+    template <class Line, class N = typename Line::number>
+    crossing<N> crossings(const Line& line) const {
+        return told<T>::crossings(line).near;
     }
 };
 
 /// A shape that has to search, and says with its t how closely it was told to.
 template <class T>
 struct told_how_closely : told<T> {
-    template <class N, real R>
-    crossing<N> crossings(const ray<R>&) const {
+    template <class Line, class N = typename Line::number>
+    crossing<N> crossings(const Line&) const {
         return at<N>(8);
     }
-    template <class N, real R>
-    crossing<N> crossings(const ray<R>&, const first_from<T>& wanted) const {
+    template <class Line, class N = typename Line::number>
+    crossing<N> crossings(const Line&, const first_from<T>& wanted) const {
         return at<N>(wanted.roughly ? 2 : 4);
     }
 };
 
 }  // namespace
 
-// A quicker precision than the last is tried where there is one: one that knows if the ray's numbers are rounded to it.
+// A quicker precision than the last is tried where there is one.
 static_assert(detail::works_first<float> && detail::works_first<double> && !detail::works_first<double_double>);
-static_assert(std::same_as<detail::quick_t<float, float>, strict_double>);
-static_assert(std::same_as<detail::quick_t<float, strict_double>, strict_double>);
-static_assert(std::same_as<detail::quick_t<double, double>, strict_double>);
-static_assert(std::same_as<detail::quick_t<double, double_double>, rounded_double>);
-static_assert(4 * unit_roundoff<strict_double> == unit_roundoff<rounded_double>);
 
 TEST_CASE("settle: what is certain to the last bit of a float is the answer, and all else is asked again") {
     using T = float;
@@ -233,6 +231,30 @@ TEST_CASE("settle: a line is inside from crossing to crossing, both to the last 
     CHECK(inside({none<W>(false), none<W>()}, {none<X>(), none<X>()}).empty());
 }
 
+/// A surface that is nowhere: what is recorded of a point of it is asked here.
+template <class T>
+struct bent {
+    using number = T;
+    T bend;
+
+    template <class Point>
+    void surface(Point& at) const {
+        at.record_point(bend);
+    }
+};
+template <class T>
+struct point_alone {
+    T t;
+    vec3<T> point, error;
+};
+
+template <class T, class N>
+point_alone<T> recorded_point(const ray<T>& ray, const crossing<N>& c, T bend = T(0)) {
+    point_alone<T> rec;
+    detail::record_crossing(bent<T>{bend}, ray, c, rec);
+    return rec;
+}
+
 /// Along each axis the error holds, and is little more than that of t and the rounding of the point.
 template <class N, class T>
 void check_recorded_error() {
@@ -243,8 +265,7 @@ void check_recorded_error() {
         if (i % 3 == 0) origin = vec3<T>(0);
         const double t = random.uniform(-9, 9), error = i % 2 == 0 ? 0 : std::abs(t) * random.log_uniform(1e-20, 1e9);
         const crossing<N> c = at<N>(t, error);
-        hit_record<T> rec;
-        record_point(ray<T>{origin, direction}, c, rec);
+        const auto rec = recorded_point(ray<T>{origin, direction}, c);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const oracle o(origin[axis]), d(direction[axis]), p(rec.point[axis]), stated(rec.error[axis]);
             for (const double off : {-error, error}) REQUIRE(abs(o + d * (oracle(t) + off) - p) <= stated);
@@ -262,28 +283,47 @@ TEST_CASE("record_point: the error holds along each axis, and is no larger than 
     check_recorded_error<X, double>();
 }
 
+template <class T>
+struct described {
+    using number = T;
+    vec3<T> outward;
+    vec2<T> uv;
+
+    void surface(auto& at) const {
+        at.record_point();
+        at.record_normal(outward);
+        at.record_uv([this] { return uv; });
+    }
+};
+
 TEST_CASE_TEMPLATE("record: where numbers leave no normal, it is against the ray, and uv is 0", T, float, double) {
-    struct recorded {
-        vec3<T> normal;
-        vec2<T> uv;
-        void surface(const ray<T>&, const crossing<W>&, hit_record<T>& rec) const { rec.normal = normal, rec.uv = uv; }
-    };
     constexpr T nan = std::numeric_limits<T>::quiet_NaN();
     const ray<T> along{{0, 0, 0}, {0, 3, -4}};
     hit_record<T> rec;
-    detail::record(recorded{vec3<T>(nan), {T(0.5), nan}}, along, at<W>(1), rec);
-    CHECK(length(vec3<T>(rec.normal - vec3<T>(0, T(-0.6), T(0.8)))) < std::numeric_limits<T>::epsilon());
-    CHECK(rec.uv == vec2<T>(0.5, 0));
-    detail::record(recorded{{0, 1, 0}, {0, 1}}, along, at<W>(1), rec);
-    CHECK((rec.normal == vec3<T>(0, 1, 0) && rec.uv == vec2<T>(0, 1)));
+    for (const vec3<T>& none : {vec3<T>(nan), vec3<T>(0)}) {
+        detail::record_crossing(described<T>{none, {T(0.5), nan}}, along, at<W>(1), rec);
+        CHECK(length(vec3<T>(rec.normal - vec3<T>(0, T(-0.6), T(0.8)))) < std::numeric_limits<T>::epsilon());
+        CHECK(rec.uv == vec2<T>(0.5, 0));
+    }
+    detail::record_crossing(described<T>{{0, 2, 0}, {0, 1}}, along, at<W>(1), rec);
+    CHECK((rec.normal == vec3<T>(0, rec.front_face ? 1 : -1, 0) && rec.uv == vec2<T>(0, 1)));
 }
+
+template <class T>
+struct between_corners {
+    using number = T;
+
+    void surface(auto& at) const {
+        at.record_point();
+        at.keep_between({vec3<T>(0), vec3<T>(2, 0, 1)});
+    }
+};
 
 TEST_CASE_TEMPLATE("record_point: beyond the largest number it is the nearest that there is", T, float, double) {
     constexpr T most = std::numeric_limits<T>::max();
-    hit_record<T> rec;
-    record_point(ray<T>{{most, -most, 0}, {most, -most, 1}}, at<W>(1), rec);
-    CHECK(rec.point == vec3<T>(most, -most, 1));
-    record_point_between({vec3<T>(0), vec3<T>(2, 0, 1)}, ray<T>{{1, -1, 5}, {3, 0, 0}}, at<W>(1), rec);
+    CHECK(recorded_point(ray<T>{{most, -most, 0}, {most, -most, 1}}, at<W>(1)).point == vec3<T>(most, -most, 1));
+    point_alone<T> rec;
+    detail::record_crossing(between_corners<T>{}, ray<T>{{1, -1, 5}, {3, 0, 0}}, at<W>(1), rec);
     CHECK(rec.point == vec3<T>(2, 0, 1));
 }
 
@@ -292,32 +332,27 @@ TEST_CASE_TEMPLATE("record_point: an error without end is the largest number", T
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         vec3<T> direction(0);
         direction[axis] = 4;
-        hit_record<T> rec;
-        record_point(ray<T>{{1, 2, 3}, direction}, at<W>(2, INFINITY), rec);
+        const auto rec = recorded_point(ray<T>{{1, 2, 3}, direction}, at<W>(2, INFINITY));
         for (glm::length_t other = 0; other < 3; ++other) CHECK((rec.error[other] == most) == (other == axis));
     }
 }
 
 TEST_CASE("record_point: what is too small for a float, a long direction makes large") {
-    hit_record<float> rec;
-    record_point(ray<float>{{0, 0, 0}, {0x1p120f, 0, 0}}, at<W>(0x1p-150, 0x1p-160), rec);
+    const auto rec = recorded_point(ray<float>{{0, 0, 0}, {0x1p120f, 0, 0}}, at<W>(0x1p-150, 0x1p-160));
     CHECK((rec.t == 0 && rec.point.x == 0x1p-30f && rec.error.x >= 0x1p-40f));
-    record_point(ray<float>{{0, 0, 0}, {1, 0, 0}}, at<W>(-0.0), rec);
-    CHECK(!std::signbit(rec.t));
+    CHECK(!std::signbit(recorded_point(ray<float>{{0, 0, 0}, {1, 0, 0}}, at<W>(-0.0)).t));
 }
 
 TEST_CASE_TEMPLATE("record_point: what curves is left by more than its normal is rounded by", T, float, double) {
     constexpr T u = unit_roundoff<T>, eps = std::numeric_limits<T>::epsilon();
     const ray<T> through_origin{{0, 0, 0}, {1, 0, 0}};
-    hit_record<T> flat, curved;
-    record_point(through_origin, at<W>(0), flat);
-    record_point(through_origin, at<W>(0), curved, T(3));
+    const auto flat = recorded_point(through_origin, at<W>(0)), curved = recorded_point(through_origin, at<W>(0), T(3));
     CHECK(flat.error.y < least_normal<T> * 2);
     CHECK(flat.error.y >= least_normal<T>);
     CHECK(curved.error.y / (3 * (4 * u * u + T(0x1p-72))) == doctest::Approx(1));
-    record_point(through_origin, at<W>(2), flat);
-    CHECK(flat.error.y / T(0x1p-71) == doctest::Approx(1));
-    CHECK(flat.error.x <= 10 * eps);
+    const auto farther = recorded_point(through_origin, at<W>(2));
+    CHECK(farther.error.y / T(0x1p-71) == doctest::Approx(1));
+    CHECK(farther.error.x <= 10 * eps);
 }
 
 }  // namespace raio::test

@@ -287,7 +287,7 @@ TEST_CASE_TEMPLATE("bezier_curve: one that is straight is a round cone", T, RAIO
         const bezier_curve<T> curve{base,   base + step,       base + step * T(2),    base + step * T(3),
                                     radius, radius + widening, radius + 2 * widening, radius + 3 * widening};
         const round_cone<T> straight{curve.p0, curve.p3, curve.r0, curve.r3};
-        hit_record<T> rec, expected;
+        hit_record<T> rec{}, expected{};
         REQUIRE(curve.hit(r, T(0), infinity<T>, rec) == straight.hit(r, T(0), infinity<T>, expected));
         // Of a double, the last bits are what either formula finds.
         const T vague = norm1(rec.error) + norm1(expected.error);

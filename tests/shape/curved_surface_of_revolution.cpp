@@ -117,7 +117,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: named cases", T, RAIO_NUMBERS)
              {"window that is not a number", dish, {{2, 9, 0}, {0, -1, 0}}, misses, 0, nan<T>},
          }) {
         INFO(std::string(r.name));
-        hit_record<T> rec;
+        hit_record<T> rec{};
         CHECK(r.shape.hit(r.ray, r.t_min, infinity<T>, rec) == r.expected.hit);
         CHECK(r.shape.occluded(r.ray, r.t_min, infinity<T>) == r.expected.hit);
         // Of a double, the last bits are what the formula finds.
@@ -216,9 +216,9 @@ TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_
             const vec2<T>* p = &s.profile[k];
             const detail::revolved_piece<oracle, 3> piece{
                 base, axis, vec2<oracle>(p[0]), vec2<oracle>(p[1]), vec2<oracle>(p[2]), vec2<oracle>(p[3])};
-            const auto exact = piece.crossings<oracle>(exact_ray);
+            const auto exact = piece.crossings(line_in<oracle>(exact_ray));
             const detail::revolved_piece<T, 3> own{s.base, s.axis, p[0], p[1], p[2], p[3]};
-            const auto quick = own.template crossings<strict_double>(r);
+            const auto quick = own.crossings(line_in<strict_double>(r));
             for (std::size_t n = 0; quick.certain && n < quick.count; ++n) {
                 REQUIRE(quick.count == exact.count);
                 const crossing<strict_double>& c = quick.crossings[n];

@@ -208,7 +208,7 @@ TEST_CASE_TEMPLATE("cylinder: the bound of t on its own, from above as well, whe
         const vec3<double> direction = (top - base) * (1 - slant) + random.perpendicular(axis) * length(axis) * slant;
         const vec3<double> inside = base + along + random.perpendicular(axis) * radius * random.uniform();
         const ray<double> ray{inside - direction * random.uniform(-2, 2), direction};
-        const auto [near, far] = detail::cross_endless_cylinder(base, top, radius, line<W, double>{ray});
+        const auto [near, far] = detail::cross_endless_cylinder(base, top, radius, line_in<W>(ray));
 
         const vec3<oracle> a(vec3<oracle>(top) - vec3<oracle>(base)), l(vec3<oracle>(base) - vec3<oracle>(ray.origin));
         const vec3<oracle> n = cross(vec3<oracle>(direction), a), beside = cross(l, a);

@@ -15,9 +15,9 @@ namespace raio::test {
 inline chord<oracle> crossings_of_piece(const vec3<oracle>& base, const vec3<oracle>& axis, const vec2<oracle>& from,
                                         const vec2<oracle>& to, const ray<oracle>& r) {
     const vec3<oracle> start = base + axis * from.y, end = base + axis * to.y;
-    if (from.y != to.y) return open_frustum<oracle>{start, end, from.x, to.x}.crossings<oracle>(r);
+    if (from.y != to.y) return open_frustum<oracle>{start, end, from.x, to.x}.crossings(line_in<oracle>(r));
     chord<oracle> c{};
-    c.near = ring<oracle>{start, axis, min(from.x, to.x), max(from.x, to.x)}.crossings<oracle>(r);
+    c.near = ring<oracle>{start, axis, min(from.x, to.x), max(from.x, to.x)}.crossings(line_in<oracle>(r));
     return c;
 }
 
@@ -35,21 +35,22 @@ struct lone_segment {
     surface_of_revolution<T> whole() const {
         return {base, axis, {{from_radius, from_height}, {to_radius, to_height}}};
     }
-    bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    bool hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return whole().hit(ray, t_min, t_max, rec);
     }
     bool occluded(const ray<T>& ray, T t_min, T t_max) const { return whole().occluded(ray, t_min, t_max); }
-    template <class W, real R>
-    auto crossings(const ray<R>& ray) const {
+    template <class Line>
+    auto crossings(const Line& line) const {
         if constexpr (std::same_as<T, oracle>) {
-            return crossings_of_piece(base, axis, {from_radius, from_height}, {to_radius, to_height}, ray);
+            return crossings_of_piece(base, axis, {from_radius, from_height}, {to_radius, to_height}, line.ray);
         } else {
-            return piece().template crossings<W>(ray);
+            return piece().crossings(line);
         }
     }
-    template <class W, real R>
-    void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T>& rec) const {
-        piece().surface(ray, c, rec);
+    template <class Point>
+    void surface(Point& at) const {
+        piece().surface(at);
     }
 };
 
@@ -222,7 +223,7 @@ TEST_CASE_TEMPLATE("surface of revolution: named cases", T, RAIO_NUMBERS) {
              {"window that is not a number", cup, {{5, 1, 0}, {-1, 0, 0}}, misses, 0, nan<T>},
          }) {
         INFO(std::string(r.name));
-        hit_record<T> rec;
+        hit_record<T> rec{};
         CHECK(r.shape.hit(r.ray, r.t_min, infinity<T>, rec) == r.expected.hit);
         CHECK(r.shape.occluded(r.ray, r.t_min, infinity<T>) == r.expected.hit);
         CHECK(rec.t == static_cast<T>(r.expected.t));
@@ -315,6 +316,12 @@ TEST_CASE_TEMPLATE("surface of revolution: uv and area, and samples spread evenl
     // The rim's v goes inwards, as the profile does.
     REQUIRE(cup.hit({f.x * T(1.625) + vec3<T>(0, 9, 0), {0, -1, 0}}, T(0), infinity<T>, rec));
     CHECK(rec.uv.y == doctest::Approx((6 + 0.75) / 9));
+
+    // Where the profile goes down, u is the angle about the axis as well (and was that about its reverse).
+    const surface_of_revolution<T> sinking{{0, 0, 0}, {0, 1, 0}, {{2, 8}, {1, 0}}};
+    REQUIRE(sinking.hit({f.y * T(9) + vec3<T>(0, 4, 0), -f.y}, T(0), infinity<T>, rec));
+    CHECK(rec.uv.x == T(0.25));
+    CHECK(rec.uv.y == doctest::Approx(0.5));
 
     // Along the axis into a tip, where u is anything (and was a little less than 0).
     const surface_of_revolution<T> funnel{{1, 0, 0}, {4.5, 0, 0}, {{3.875, 0.5}, {0, 3.875}}};

@@ -71,7 +71,8 @@ TEST_CASE("packs of floats: a ray that starts closer to a tip than squares of fl
     const frustum<P> packed{vec3<P>(base), vec3<P>(top), P(0), P(0x1.81047p+16f)};
     const vec3<float> from(0x1.e693p-75f, -0x1.3740fep-75f, 0x1.3771aep-81f);
     const vec3<float> direction(-0x1.e8cab2p-3f, -0x1.bc0d3p-3f, -0x1.e4a6fap-1f);
-    const crossing<P> near = packed.crossings<P>(ray<P>{vec3<P>(from), vec3<P>(direction)}).near;
+    const ray<P> ray{vec3<P>(from), vec3<P>(direction)};
+    const crossing<P> near = packed.crossings(line_in<P>(ray)).near;
     const double exact = -0x1.be64161cdb3d8p-70;
     CHECK((!near.certain[0] || std::abs(double(near.t[0]) - exact) <= double(near.error[0])));
 }

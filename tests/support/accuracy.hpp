@@ -10,11 +10,11 @@
 
 namespace raio::test {
 
-/// The crossings as `crossings<W>` finds them: both of a convex solid, the one of a flat shape, or a list. A list that
+/// The crossings as `crossings` finds them: both of a convex solid, the one of a flat shape, or a list. A list that
 /// is not certain holds nothing that is.
-template <class W, class Shape, class R = number_t<Shape>>
-std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<R>& ray) {
-    const auto found = shape.template crossings<W>(ray);
+template <class Shape, class Line, class W = typename Line::number>
+std::vector<crossing<W>> crossings_along(const Shape& shape, const Line& line) {
+    const auto found = shape.crossings(line);
     if constexpr (requires { found.near; }) {
         return {found.near, found.far};
     } else if constexpr (detail::has_lanes<W> && requires { found.second; }) {
@@ -28,6 +28,10 @@ std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<R>& ray) {
     } else {
         return {found};
     }
+}
+template <class W, class Shape, class R = number_t<Shape>>
+std::vector<crossing<W>> all_crossings(const Shape& shape, const ray<R>& ray) {
+    return crossings_along(shape, line_in<W>(ray));
 }
 
 /// The crossings in 75 digits. Where a ray meets the very edge of a closed shape, 75 digits decide no better than any
@@ -117,10 +121,10 @@ std::vector<recorded_crossing> recorded_crossings(const Shape& shape, const ray<
         }
     };
     if constexpr (keeps_all_digits<T>) {
-        const auto quick = shape.template crossings<quick_t<T, R>>(ray);
+        const auto quick = shape.crossings(line_in<working_t<T>>(ray));
         if (are_all(quick)) add(quick, true);
     }
-    add(shape.template crossings<double_double>(ray), false);
+    add(shape.crossings(line_in<double_double>(ray)), false);
     return all;
 }
 
@@ -146,7 +150,8 @@ change_of_crossing changes_of_input(const probe<Shape>& p, const crossing<oracle
     using T = number_t<Shape>;
     const auto normal_of = [](const Shape& shape, const ray<T>& ray, const raio::crossing<oracle>& c) {
         hit_record<oracle> exact;
-        converted<oracle>(shape).surface(raio::ray<oracle>{exactly(ray.origin), exactly(ray.direction)}, c, exact);
+        const raio::ray<oracle> exact_ray{exactly(ray.origin), exactly(ray.direction)};
+        detail::record_crossing(converted<oracle>(shape), exact_ray, c, exact);
         return exact.normal;
     };
     const vec3<oracle> normal = normal_of(p.shape, p.ray, crossing);
@@ -189,7 +194,7 @@ double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec,
     const ray<oracle> exact_ray{exactly(p.ray.origin), exactly(p.ray.direction)};
     const auto normal_at = [&](const ray<oracle>& ray, const raio::crossing<oracle>& c) {
         hit_record<oracle> exact;
-        shape.surface(ray, c, exact);
+        detail::record_crossing(shape, ray, c, exact);
         return exact.normal;
     };
     const vec3<oracle> normal = normal_at(exact_ray, crossing), error(rec.error);
@@ -421,9 +426,8 @@ inline oracle away(const std::vector<crossing<oracle>>& exact, const oracle& t) 
 
 /// In the precision of W: there are as many crossings as are certain, and no more than may be; and the t of those that
 /// are certain is off by no more than the error that it states.
-template <class W, class Shape, class R>
-std::string wrong_bound(const Shape& shape, const ray<R>& ray, const std::vector<crossing<oracle>>& exact) {
-    const std::vector found = all_crossings<W>(shape, ray);
+template <class W>
+std::string wrong_bound(const std::vector<crossing<W>>& found, const std::vector<crossing<oracle>>& exact) {
     if (found.size() != exact.size() && !std::ranges::all_of(found, &crossing<W>::certain)) return "";
     const auto there = std::ranges::count_if(exact, &crossing<oracle>::exists);
     if (std::ranges::count_if(found, [](const auto& c) { return c.certain && c.exists; }) > there) {
@@ -441,6 +445,15 @@ std::string wrong_bound(const Shape& shape, const ray<R>& ray, const std::vector
     return "";
 }
 
+/// The line of a ray in doubles, which know what they were rounded from.
+inline mapped_line<strict_double> rounded_line(const ray<double_double>& ray) {
+    const auto rounded = [](const vec3<double_double>& v) {
+        const strict_double x(v.x), y(v.y), z(v.z);
+        return bounded_vector<strict_double>{x, y, z, (abs(x) + abs(y) + abs(z)) * strict_double(0x1p-53)};
+    };
+    return {rounded(ray.origin), rounded(ray.direction)};
+}
+
 template <class Shape>
 void check_bounds_of_errors(int rays) {
     for_random_probes<Shape>("bounds of errors", rays, [&](const probe<Shape>& p, random_numbers& random) {
@@ -450,9 +463,9 @@ void check_bounds_of_errors(int rays) {
         const auto complain = [&](const std::string& in, const std::string& about) {
             if (!about.empty()) wrong += (wrong.empty() ? "" : "; ") + in + ": " + about;
         };
-        complain("strict_double", wrong_bound<strict_double>(p.shape, p.ray, exact));
-        complain("double_double", wrong_bound<double_double>(p.shape, p.ray, exact));
-        complain("rounded_double", wrong_bound<rounded_double>(p.shape, fine_ray, exact_of_fine));
+        complain("strict_double", wrong_bound(all_crossings<strict_double>(p.shape, p.ray), exact));
+        complain("double_double", wrong_bound(all_crossings<double_double>(p.shape, p.ray), exact));
+        complain("a mapped line", wrong_bound(crossings_along(p.shape, rounded_line(fine_ray)), exact_of_fine));
         return wrong;
     });
 }
@@ -487,7 +500,7 @@ void check_oracle() {
             const oracle off = subject<exact_shape>::distance(shape, inside + direction * c.t);
             REQUIRE_MESSAGE(abs(off) <= (abs(c.t) + length(inside)) * 1e-38, literal(p.shape));
             hit_record<oracle> rec;
-            shape.surface(ray<oracle>{inside, direction}, c, rec);
+            detail::record_crossing(shape, ray<oracle>{inside, direction}, c, rec);
             rec.point = inside + direction * c.t;
             ++normals, beside += !is_across(shape, rec, oracle((abs(c.t) + norm1(inside)) * 1e-24));
         }

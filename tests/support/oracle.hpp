@@ -69,10 +69,7 @@ T rounded(const oracle& x) {
 
 inline oracle exactly(double x) { return oracle(x); }
 inline oracle exactly(long double x) { return oracle(x); }
-template <int Digits>
-oracle exactly(basic_strict_double<Digits> x) {
-    return oracle(static_cast<double>(x));
-}
+inline oracle exactly(strict_double x) { return oracle(static_cast<double>(x)); }
 
 /// The double that it rounds to, and what is left.
 inline oracle exactly(double_double x) {

@@ -155,11 +155,11 @@ auto crossings_found_again(const packed_probe<Shape, P>& packed) {
     using D = pack<double, P::lanes>;
     std::vector<crossing<D>> found;
     if constexpr (std::same_as<scalar_t<P>, float> &&
-                  requires { packed.shape.template crossings<P>(packed.ray).exists; }) {
+                  requires { packed.shape.crossings(line_in<P>(packed.ray)).exists; }) {
         const P most(std::numeric_limits<float>::max());
-        const auto sieve = detail::sift(packed.shape.template crossings<P>(packed.ray), -most, most);
+        const auto sieve = detail::sift(packed.shape.crossings(line_in<P>(packed.ray)), -most, most);
         const auto again = detail::retrieved<detail::question::where>(
-            sieve, packed.shape.template crossings<working_t<P>>(packed.ray), -most);
+            sieve, packed.shape.crossings(line_in<working_t<P>>(packed.ray)), -most);
         found.push_back({again.exists, again.exists, D(again.t), D(again.error), again.entering});
     }
     return found;

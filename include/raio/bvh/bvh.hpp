@@ -68,24 +68,24 @@ public:
         tree_.refit(std::tuple(triangles_of{of}));
     }
 
-    bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
-        return hit<T, T>(ray, t_min, t_max, rec);
-    }
-    template <real R, real N>
-    RAIO_FLATTEN bool hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
-        detail::nearest<T, leaves, R, N> query(tree_.leaves, ray, t_min, t_max, rec);
-        T far = t_max;
-        visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block) {
-            query.template visit<kind()>(block);
-            far = query.farthest();
-            return true;
-        });
-        return query.finish();
+    template <ray_of<T> Ray = raio::ray<T>, record Record>
+    RAIO_FLATTEN bool hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+        if constexpr (!detail::keeps_t<Record, T>) {
+            return detail::hit_in_between(*this, ray, t_min, t_max, rec);
+        } else {
+            detail::nearest<T, leaves, Ray, Record> query(tree_.leaves, ray, t_min, t_max, rec);
+            T far = t_max;
+            visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block) {
+                query.template visit<kind()>(block);
+                far = query.farthest();
+                return true;
+            });
+            return query.finish();
+        }
     }
 
-    bool occluded(const ray<T>& ray, T t_min, T t_max) const { return occluded<T>(ray, t_min, t_max); }
-    template <real R>
-    RAIO_FLATTEN bool occluded(const ray<R>& ray, T t_min, T t_max) const {
+    template <ray_of<T> Ray = raio::ray<T>>
+    RAIO_FLATTEN bool occluded(const Ray& ray, T t_min, T t_max) const {
         bool found = false;
         visit_leaves<true>(ray, t_min, t_max, [&](auto kind, std::uint32_t block) {
             found = meets_any<kind()>(block, ray, t_min, t_max);
@@ -188,9 +188,8 @@ public:
 
     /// Where the ray is inside any of the shapes, if all of them are solids: so a tree can be cut from a solid, or met
     /// with one, by `csg`.
-    raio::spans<T, any_number> spans(const ray<T>& ray) const requires all_solid { return spans<T>(ray); }
-    template <real R>
-    raio::spans<T, any_number> spans(const ray<R>& ray) const requires all_solid {
+    template <ray_of<T> Ray = raio::ray<T>>
+    raio::spans<T, any_number> spans(const Ray& ray) const requires all_solid {
         std::vector<interval<T>> found;
         const T from = -infinity<T>, to = infinity<T>;
         visit_leaves<true>(ray, from, to, [&](auto kind, std::uint32_t block) {
@@ -230,8 +229,8 @@ private:
     };
 
     /// Is any shape of a leaf hit?
-    template <std::size_t Kind, class R>
-    bool meets_any(std::uint32_t block, const ray<R>& ray, T t_min, T t_max) const {
+    template <std::size_t Kind, class Ray>
+    bool meets_any(std::uint32_t block, const Ray& ray, T t_min, T t_max) const {
         auto findings = tree_.leaves.template find<Kind>(block, ray, t_min, t_max);
         bool found = findings.sure != 0;
         for (; !found && findings.open != 0; findings.open &= findings.open - 1) {
@@ -242,8 +241,8 @@ private:
     }
 
     /// Calls `visit` with the shapes of a leaf that may be crossed, and their ids, as long as it answers true.
-    template <std::size_t Kind, class R, class Visit>
-    void for_each_lane(std::uint32_t block, const ray<R>& ray, T t_min, T t_max, Visit visit) const {
+    template <std::size_t Kind, class Ray, class Visit>
+    void for_each_lane(std::uint32_t block, const Ray& ray, T t_min, T t_max, Visit visit) const {
         const auto found = tree_.leaves.template find<Kind>(block, ray, t_min, t_max);
         const auto& own = std::get<Kind>(tree_.leaves.all);
         for (std::uint32_t left = found.sure | found.open; left != 0; left &= left - 1) {
@@ -280,10 +279,10 @@ private:
 
     /// Calls `visit` with all leaves that the ray may meet.
     /// \param t_max  may be brought nearer by `visit`
-    template <bool Any, class R, class Visit>
-    void visit_leaves(const ray<R>& ray, T t_min, const T& t_max, Visit visit) const {
+    template <bool Any, class Ray, class Visit>
+    void visit_leaves(const Ray& ray, T t_min, const T& t_max, Visit visit) const {
         if (tree_.nodes.empty() || !(t_min <= t_max)) return;
-        const detail::node_ray boxes(ray, R(tree_.scale), tree_.size);
+        const detail::node_ray boxes(ray, tree_.scale, tree_.size);
         if (!boxes.fits() && !detail::runs(ray)) return;
         float far = detail::rounded_up(t_max);
         const float near = detail::rounded_down(t_min);

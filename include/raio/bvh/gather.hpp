@@ -19,7 +19,7 @@ concept crossings_of =
 template <class Shape, class W>
 concept gatherable_as = aggregate_of_packs<rebind_t<Shape, W>, W> &&
     requires(const rebind_t<Shape, W> packed, const ray<W> ray) {
-    { packed.template crossings<W>(ray) } -> crossings_of<W>;
+    { packed.crossings(line_in<W>(ray)) } -> crossings_of<W>;
 };
 
 /// Does the shape bring its own room for N of it, since it is no aggregate of numbers?

@@ -51,21 +51,19 @@ struct findings {
 
 /// What the lanes of a block compute with, and the ray in them. Floats only sieve: in their own numbers, or in what
 /// holds those of a ray that was mapped. Doubles are what plain ones are in the first precision.
-template <class R, class T, std::size_t N>
-struct lanes_for {
-    using type = pack<std::conditional_t<std::same_as<R, T>, T, double>, N>;
-    using of_ray = type;
-};
-template <std::size_t N>
-struct lanes_for<double, double, N> {
-    using type = pack<strict_double, N>;
-    using of_ray = pack<double, N>;
-};
-template <class T, std::size_t N>
-struct lanes_for<double_double, T, N> {
-    using type = pack<rounded_double, N>;
-    using of_ray = basic_double_double<pack<strict_double, N>>;
-};
+template <class Ray, class T, std::size_t N>
+using lanes_for =
+    pack<std::conditional_t<keeps_all_digits<T>, strict_double, std::conditional_t<is_mapped<Ray>, double, T>>, N>;
+
+/// A ray in every lane. One that was mapped is so already.
+template <class W, class T>
+ray<W> in_every_lane(const ray<T>& r) {
+    return {vec3<W>(r.origin), vec3<W>(r.direction)};
+}
+template <class W, class T>
+const mapped_ray<T>& in_every_lane(const mapped_ray<T>& r) {
+    return r;
+}
 
 /// Shapes in blocks of packs.
 template <class Shape>
@@ -110,15 +108,13 @@ public:
     decltype(auto) shapes(std::uint32_t i) const { return blocks_[i].shapes.shapes(); }
     void set(std::uint32_t i, unsigned lane, const Shape& shape) { blocks_[i].shapes.set(lane, shape); }
 
-    /// What packs know of the crossings with a ray of any precision.
-    template <real R>
-    findings<T, lanes> find(std::uint32_t i, const ray<R>& along, T t_min, T t_max) const {
-        using W = typename lanes_for<R, T, lanes>::type;
-        using N = typename lanes_for<R, T, lanes>::of_ray;
+    /// What packs know of the crossings with a ray, as it is or mapped.
+    template <class Ray>
+    findings<T, lanes> find(std::uint32_t i, const Ray& along, T t_min, T t_max) const {
+        using W = lanes_for<Ray, T, lanes>;
         using S = scalar_t<W>;
         const block& b = blocks_[i];
-        const ray<N> in_every_lane{vec3<N>(vec3<scalar_t<N>>(along.origin)),
-                                   vec3<N>(vec3<scalar_t<N>>(along.direction))};
+        const auto& ray = in_every_lane<pack<T, lanes>>(along);
         t_min = within_numbers(t_min), t_max = within_numbers(t_max);
         S from = t_min, to = t_max;
         // More digits than T has may be rounded into the window.
@@ -126,10 +122,9 @@ public:
         using numbers = pack<T, lanes>;
         const auto crossings = [&] {
             if constexpr (keeps_all_digits<T>) {
-                return crossings_for<W, question::where>(b.shapes.shapes(), in_every_lane, W(from), W(to));
+                return crossings_for<W, question::where>(b.shapes.shapes(), ray, W(from), W(to));
             } else {
-                return crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), in_every_lane, W(from),
-                                                         W(to));
+                return crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), ray, W(from), W(to));
             }
         };
         const sifted<numbers> is = sift(crossings(), numbers(t_min), numbers(t_max));

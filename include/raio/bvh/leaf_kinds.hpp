@@ -23,17 +23,17 @@ public:
     std::tuple<Leaves...> all;
 
     /// Do packs know anything of the shapes of that kind?
-    template <std::size_t Kind, class R>
+    template <std::size_t Kind, class Ray>
     static constexpr bool filters = requires(const std::tuple_element_t<Kind, std::tuple<Leaves...>> leaves,
-                                             const ray<R> ray) {
+                                             const Ray& ray) {
         leaves.find(0, ray, 0, 0);
     };
 
     /// What packs say of the shapes of a leaf; if they do not know, all of them are open.
-    template <std::size_t Kind, class T, class R>
-    auto find(std::uint32_t i, const ray<R>& ray, T t_min, T t_max) const {
+    template <std::size_t Kind, class T, class Ray>
+    auto find(std::uint32_t i, const Ray& ray, T t_min, T t_max) const {
         const auto& leaves = std::get<Kind>(all);
-        if constexpr (filters<Kind, R>) {
+        if constexpr (filters<Kind, Ray>) {
             return leaves.find(i, ray, t_min, t_max);
         } else {
             return findings<T, std::remove_cvref_t<decltype(leaves)>::lanes>{
@@ -47,8 +47,8 @@ public:
     }
 
     /// What `hit` records of the shape at that place, which is known to be hit.
-    template <class R, class T, class N>
-    void record(const place_in_leaves& at, const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
+    template <class Ray, class T, record Record>
+    void record_at(const place_in_leaves& at, const Ray& ray, T t_min, T t_max, Record& rec) const {
         with_kind(static_cast<std::uint32_t>(at.kind), [&](auto kind) {
             const auto& shape = std::get<kind()>(all).shape(at.block, at.lane);
             if constexpr (gatherable<std::remove_cvref_t<decltype(shape)>>) {
@@ -57,17 +57,19 @@ public:
                 detail::hit(shape, ray, t_min, t_max, rec);
             }
         });
-        rec.index = at.id;
+        if constexpr (has_index<Record>) put(rec.index, at.id);
     }
 
     /// `hit` of the shape at that place.
-    template <class R, class T, class N>
-    bool hit(const place_in_leaves& at, const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
+    template <class Ray, class T, record Record>
+    bool hit(const place_in_leaves& at, const Ray& ray, T t_min, T t_max, Record& rec) const {
         bool met = false;
         with_kind(static_cast<std::uint32_t>(at.kind), [&](auto kind) {
             met = detail::hit(std::get<kind()>(all).shape(at.block, at.lane), ray, t_min, t_max, rec);
         });
-        if (met) rec.index = at.id;
+        if constexpr (has_index<Record>) {
+            if (met) put(rec.index, at.id);
+        }
         return met;
     }
 

@@ -10,11 +10,11 @@ namespace raio::detail {
 /// plain shapes decide, and of equally near ones the lowest id. So what is found is what a loop over `hit` finds; and
 /// of the one that is left, `hit` says the rest. Open lanes wait until all has been seen, since to ask a plain shape
 /// sweeps the ray out of the registers.
-template <class T, class Leaves, class R, class N>
+template <class T, class Leaves, class Ray, record Record>
 class nearest {
 public:
     /// \param rec  is left as it is if there is nothing to be found
-    nearest(const Leaves& leaves, const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec)
+    nearest(const Leaves& leaves, const Ray& ray, T t_min, T t_max, Record& rec)
         : leaves_(leaves), ray_(ray), t_min_(t_min), t_max_(t_max), low_(t_max), high_(t_max), rec_(rec) {}
 
     /// Nothing beyond that can be nearest.
@@ -22,7 +22,7 @@ public:
 
     template <std::size_t Kind>
     void visit(std::uint32_t block) {
-        if constexpr (Leaves::template filters<Kind, R>) {
+        if constexpr (Leaves::template filters<Kind, Ray>) {
             sift<Kind>(block);
         } else {
             // Nobody knows but the plain shapes. They are asked at once: what is found shortens the way.
@@ -53,9 +53,9 @@ public:
     const place_in_leaves* unrecorded() const { return exists_ && !exact_ ? &at_ : nullptr; }
 
     /// Takes in what it records.
-    void record(const hit_record<T, N>& found) {
+    void take_in(const Record& found) {
         rec_ = found;
-        rec_.index = at_.id;
+        if constexpr (has_index<Record>) put(rec_.index, at_.id);
         exact_ = true;
         low_ = high_ = rec_.t;
     }
@@ -88,7 +88,7 @@ private:
 
     void make_exact() {
         exact_ = true;
-        leaves_.record(at_, ray_, t_min_, t_max_, rec_);
+        leaves_.record_at(at_, ray_, t_min_, t_max_, rec_);
         low_ = high_ = rec_.t;
     }
 
@@ -101,7 +101,7 @@ private:
     /// Asks the plain shape.
     void settle(const place_in_leaves& at) {
         if (exists_ && at.id == at_.id) return;  // a shape may stand in several leaves
-        hit_record<T, N> candidate;
+        Record candidate;
         if (!leaves_.hit(at, ray_, t_min_, high_, candidate)) return;
         if (exists_ && !exact_ && !(candidate.t < low_)) make_exact();
         if (exists_ && !(candidate.t < low_ || (candidate.t == low_ && at.id < at_.id))) return;
@@ -111,14 +111,14 @@ private:
     }
 
     const Leaves& leaves_;
-    const ray<R>& ray_;
+    const Ray& ray_;
     T t_min_, t_max_;
     T low_, high_;  ///< where the nearest is, once there is one
     place_in_leaves at_{};
     std::array<place_in_leaves, 8> open_;  ///< lanes that wait
     std::size_t open_count_ = 0;
     bool exists_ = false, exact_ = false;
-    hit_record<T, N>& rec_;  ///< of the nearest, if that is exact
+    Record& rec_;  ///< of the nearest, if that is exact
 };
 
 }  // namespace raio::detail

@@ -12,7 +12,7 @@ namespace raio::detail {
 template <class T, class Leaves>
 class nearest_together {
     using P = typename rays_in_lanes<T>::numbers;
-    using query = nearest<T, Leaves, T, T>;
+    using query = nearest<T, Leaves, ray<T>, hit_record<T>>;
 
 public:
     /// \param recs  are left as they are where there is nothing to be found
@@ -120,7 +120,7 @@ private:
             hit_record<P> found;
             first_hit<question::only_where>(shapes.shapes(), own, P(t_min_), P(t_max_), found);
             for (std::size_t lane = 0; lane < rays.size(); ++lane)
-                queries_[rays[lane]]->record(in_lane<P>(found, lane));
+                queries_[rays[lane]]->take_in(in_lane<P>(found, lane));
         }
     }
 

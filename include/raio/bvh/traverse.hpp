@@ -8,9 +8,13 @@ namespace raio::detail {
 inline constexpr std::size_t deepest = 96;
 
 /// Does the ray go anywhere? No other is asked of a tree.
-template <class R>
-bool runs(const ray<R>& ray) {
-    return norm1(ray.direction) > R(0) && is_finite(ray.direction) && is_finite(ray.origin);
+template <class T>
+bool runs(const ray<T>& ray) {
+    return norm1(ray.direction) > T(0) && is_finite(ray.direction) && is_finite(ray.origin);
+}
+template <class T>
+bool runs(const mapped_ray<T>& ray) {
+    return runs(values_of(ray));
 }
 
 /// Calls `visit` with the leaves that the ray may meet between `t_min` and `t_max`, the nearer mostly before the

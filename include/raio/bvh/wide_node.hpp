@@ -3,7 +3,7 @@
 #include <raio/bvh/build_box.hpp>
 #include <raio/bvh/large_pages.hpp>
 #include <raio/number/simd.hpp>
-#include <raio/ray.hpp>
+#include <raio/proof/mapped_ray.hpp>
 
 namespace raio::detail {
 
@@ -96,6 +96,15 @@ struct slab_numbers {
     }
 };
 
+/// A mapped ray without its errors.
+template <class T>
+ray<double> values_of(const mapped_ray<T>& ray) {
+    const auto in_double = [](const auto& v) {
+        return vec3<double>(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+    };
+    return {in_double(line_in<strict_double>(ray).origin()), in_double(line_in<strict_double>(ray).direction())};
+}
+
 /// A ray as the nodes want it.
 class node_ray {
 public:
@@ -107,8 +116,7 @@ public:
     node_ray(const ray<T>& ray, T scale, float size) {
         using four = pack<float, 4>;  // x, y, z, and x once more
         const auto in_lanes = [&](const vec3<T>& v) {
-            using D = std::conditional_t<last_precision<T>, double, T>;  // more digits are of no use
-            const vec3<D> w = vec3<D>(v) * D(scale);
+            const vec3<T> w = v * scale;
             const float lanes[] = {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z),
                                    static_cast<float>(w.x)};
             return four::load(lanes);
@@ -127,6 +135,17 @@ public:
             near_[i] = 2 * i + (backward >> i & 1);
             over_direction_[i] = numbers(r[i]), enter_[i] = numbers(enter[i]), leave_[i] = numbers(leave[i]);
         }
+    }
+
+    /// A ray that was mapped. Half of what the formula is off by is left for its errors; if they are larger, every box
+    /// is taken for met.
+    template <class T>
+    node_ray(const mapped_ray<T>& ray, T scale, float size)
+        : node_ray(values_of(ray), static_cast<double>(scale), size) {
+        const auto line = line_in<strict_double>(ray);
+        const auto reach = strict_double(size) / strict_double(scale) + size_of(line.origin());
+        fits_ = fits_ && line.origin().error <= reach * strict_double(0x1p-26) &&
+                line.direction().error <= size_of(line.direction()) * strict_double(0x1p-31);
     }
 
     /// Is the ray in the range of the formula? Of one that is not, which may be no ray at all, every box is taken for

@@ -8,47 +8,43 @@ namespace raio {
 
 namespace detail {
 
-/// What can be asked of a primitive that is not known before the program runs; each question with the rays of T and
-/// with those that were mapped.
+/// What can be asked of a primitive that is not known before the program runs, with a ray as it is or mapped.
 template <real T>
 struct erased {
-    using W = wider_t<T>;
     using list = raio::spans<T, any_number>;
 
     virtual ~erased() = default;
     virtual mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const = 0;
-    virtual mask_t<T> hit_mapped(const ray<W>& ray, T t_min, T t_max, hit_record<T, W>& rec) const = 0;
+    virtual mask_t<T> hit(const mapped_ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const = 0;
     virtual mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const = 0;
-    virtual mask_t<T> occluded_mapped(const ray<W>& ray, T t_min, T t_max) const = 0;
+    virtual mask_t<T> occluded(const mapped_ray<T>& ray, T t_min, T t_max) const = 0;
     virtual aabb<T> bounds() const = 0;
 };
 
 template <real T>
 struct erased_solid : erased<T> {
-    using typename erased<T>::W;
     using typename erased<T>::list;
 
     virtual list spans(const ray<T>& ray) const = 0;
-    virtual list spans_mapped(const ray<W>& ray) const = 0;
+    virtual list spans(const mapped_ray<T>& ray) const = 0;
 };
 
 template <primitive P, class Interface>
 struct erased_shape : Interface {
     using T = number_t<P>;
-    using typename Interface::W;
 
     P shape;
 
     explicit erased_shape(P from) : shape(std::move(from)) {}
 
     mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const final {
-        return shape.hit(ray, t_min, t_max, rec);
+        return detail::hit(shape, ray, t_min, t_max, rec);
     }
-    mask_t<T> hit_mapped(const ray<W>& ray, T t_min, T t_max, hit_record<T, W>& rec) const final {
+    mask_t<T> hit(const mapped_ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const final {
         return detail::hit(shape, ray, t_min, t_max, rec);
     }
     mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const final { return shape.occluded(ray, t_min, t_max); }
-    mask_t<T> occluded_mapped(const ray<W>& ray, T t_min, T t_max) const final {
+    mask_t<T> occluded(const mapped_ray<T>& ray, T t_min, T t_max) const final {
         return detail::occluded(shape, ray, t_min, t_max);
     }
     aabb<T> bounds() const final {
@@ -63,16 +59,15 @@ struct erased_shape : Interface {
 template <solid P>
 struct erased_solid_shape final : erased_shape<P, erased_solid<number_t<P>>> {
     using T = number_t<P>;
-    using typename erased_solid<T>::W;
     using typename erased_solid<T>::list;
     using erased_shape<P, erased_solid<T>>::erased_shape;
 
     list spans(const ray<T>& ray) const override { return listed(ray); }
-    list spans_mapped(const ray<W>& ray) const override { return listed(ray); }
+    list spans(const mapped_ray<T>& ray) const override { return listed(ray); }
 
 private:
-    template <real R>
-    list listed(const ray<R>& ray) const {
+    template <class Ray>
+    list listed(const Ray& ray) const {
         list all;
         for (const interval<T>& i : raio::spans(spans_of(this->shape, ray))) all.append(i);
         return all;
@@ -86,8 +81,6 @@ private:
 /// memory of its own for each primitive.
 template <real T>
 class any_primitive {
-    using W = wider_t<T>;
-
 public:
     using number = T;
 
@@ -95,15 +88,17 @@ public:
     requires(std::same_as<number_t<P>, T> && !std::derived_from<P, any_primitive>) any_primitive(P shape)
         : shape_(std::make_shared<const detail::erased_shape<P, detail::erased<T>>>(std::move(shape))) {}
 
-    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
-        return shape_->hit(ray, t_min, t_max, rec);
+    template <ray_of<T> Ray = raio::ray<T>, record Record>
+    mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+        if constexpr (std::same_as<Record, hit_record<T>>) {
+            return shape_->hit(ray, t_min, t_max, rec);
+        } else {
+            return detail::hit_in_between(*this, ray, t_min, t_max, rec);
+        }
     }
-    mask_t<T> hit(const ray<W>& ray, T t_min, T t_max, hit_record<T, W>& rec) const requires(!std::same_as<W, T>) {
-        return shape_->hit_mapped(ray, t_min, t_max, rec);
-    }
-    mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const { return shape_->occluded(ray, t_min, t_max); }
-    mask_t<T> occluded(const ray<W>& ray, T t_min, T t_max) const requires(!std::same_as<W, T>) {
-        return shape_->occluded_mapped(ray, t_min, t_max);
+    template <ray_of<T> Ray = raio::ray<T>>
+    mask_t<T> occluded(const Ray& ray, T t_min, T t_max) const {
+        return shape_->occluded(ray, t_min, t_max);
     }
     /// Everything, if the primitive knows no bounds.
     aabb<T> bounds() const { return shape_->bounds(); }
@@ -118,16 +113,14 @@ protected:
 /// runs. Its spans stand in memory that is allocated for each ray.
 template <real T>
 class any_solid : public any_primitive<T> {
-    using W = wider_t<T>;
-
 public:
     template <solid P>
     requires(std::same_as<number_t<P>, T> && !std::derived_from<P, any_solid>) any_solid(P shape)
         : any_primitive<T>(std::make_shared<const detail::erased_solid_shape<P>>(std::move(shape))) {}
 
-    raio::spans<T, any_number> spans(const ray<T>& ray) const { return solid().spans(ray); }
-    raio::spans<T, any_number> spans(const ray<W>& ray) const requires(!std::same_as<W, T>) {
-        return solid().spans_mapped(ray);
+    template <ray_of<T> Ray = raio::ray<T>>
+    raio::spans<T, any_number> spans(const Ray& ray) const {
+        return solid().spans(ray);
     }
 
 private:

@@ -62,8 +62,8 @@ RAIO_FN constexpr index_t<number_t<P>> leaf_count(const P& shape) {
 }
 
 /// The spans of a tree or of a leaf, whose leaves are counted from `first` on.
-template <solid P, real R>
-RAIO_FN constexpr auto ends_of(const P& shape, const ray<R>& ray, index_t<number_t<P>> first) {
+template <solid P, class Ray>
+RAIO_FN constexpr auto ends_of(const P& shape, const Ray& ray, index_t<number_t<P>> first) {
     if constexpr (csg_tree<P>) {
         return shape.ends(ray, first);
     } else {
@@ -89,32 +89,27 @@ requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
     A a;
     B b;
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
-        return hit<T, T>(ray, t_min, t_max, rec);
-    }
-    template <real R, real N>
-    RAIO_FN constexpr mask_t<T> hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
+    template <ray_of<T> Ray = raio::ray<T>, record Record>
+    RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
         return first_end(ray, t_min, t_max, [&](const detail::leaf_end<T>& end, bool entering) {
             const bool met =
                 ask_leaf(end.leaf, [&](const auto& leaf) { return detail::hit(leaf, ray, end.t, end.t, rec); });
-            if (met) rec.index = end.leaf, rec.front_face = entering;
-            return met;
+            if (!met) return false;
+            if constexpr (has_index<Record>) detail::put(rec.index, end.leaf);
+            if constexpr (has_front_face<Record>) detail::put(rec.front_face, entering);
+            return true;
         });
     }
 
-    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return occluded<T>(ray, t_min, t_max);
-    }
-    template <real R>
-    RAIO_FN constexpr mask_t<T> occluded(const ray<R>& ray, T t_min, T t_max) const {
+    template <ray_of<T> Ray = raio::ray<T>>
+    RAIO_FN constexpr mask_t<T> occluded(const Ray& ray, T t_min, T t_max) const {
         return first_end(ray, t_min, t_max, [&](const detail::leaf_end<T>& end, bool) {
             return ask_leaf(end.leaf, [&](const auto& leaf) { return detail::occluded(leaf, ray, end.t, end.t); });
         });
     }
 
-    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return spans<T>(ray); }
-    template <real R>
-    RAIO_FN constexpr auto spans(const ray<R>& ray) const {
+    template <ray_of<T> Ray = raio::ray<T>>
+    RAIO_FN constexpr auto spans(const Ray& ray) const {
         const auto unmarked = []<std::size_t N>(const raio::spans<detail::leaf_end<T>, N>& ends) {
             raio::spans<T, N> inside;
             for (const auto& i : ends) inside.append({i.min.t, i.max.t});
@@ -136,8 +131,8 @@ requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
     }
 
     /// The spans, with the leaf of each end.
-    template <real R>
-    RAIO_FN constexpr auto ends(const ray<R>& ray, index_t<T> first) const {
+    template <class Ray>
+    RAIO_FN constexpr auto ends(const Ray& ray, index_t<T> first) const {
         const auto in_a = detail::ends_of(detail::held(a), ray, first);
         const auto combined = [&](const auto& in_b) {
             if constexpr (Operation == set_operation::unite) {
@@ -169,8 +164,8 @@ requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
 
 private:
     /// Calls `accept` with the ends in the window, one after the other, until it answers true.
-    template <real R, class Accept>
-    RAIO_FN constexpr bool first_end(const ray<R>& ray, T t_min, T t_max, Accept accept) const {
+    template <class Ray, class Accept>
+    RAIO_FN constexpr bool first_end(const Ray& ray, T t_min, T t_max, Accept accept) const {
         for (const auto& i : ends(ray, 0)) {
             if (t_min <= i.min.t && i.min.t <= t_max && accept(i.min, true)) return true;
             if (t_min <= i.max.t && i.max.t <= t_max && accept(i.max, false)) return true;

@@ -65,31 +65,29 @@ struct group {
     RAIO_FN constexpr group() = default;
     RAIO_FN constexpr explicit group(First first, Rest... rest) : members(std::move(first), std::move(rest)...) {}
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
-        return hit<T, T>(ray, t_min, t_max, rec);
-    }
-    template <real R, real N>
-    RAIO_FN constexpr mask_t<T> hit(const ray<R>& ray, T t_min, T t_max, hit_record<T, N>& rec) const {
-        mask_t<T> found = !(T(0) == T(0));
-        index_t<T> index{};
-        for_each([&](const auto& primitive) {
-            hit_record<T, N> candidate;
-            const mask_t<T> met = detail::hit(primitive, ray, t_min, select(found, rec.t, t_max), candidate);
-            const mask_t<T> nearer = met && (!found || candidate.t < rec.t);
-            candidate.index = index;
-            if (any(nearer)) assign(nearer, rec, candidate);
-            found = found || nearer;
-            index = index + index_t<T>(1);
-            return true;
-        });
-        return found;
+    template <ray_of<T> Ray = raio::ray<T>, record Record>
+    RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+        if constexpr (!detail::keeps_t<Record, T>) {
+            return detail::hit_in_between(*this, ray, t_min, t_max, rec);
+        } else {
+            mask_t<T> found = !(T(0) == T(0));
+            index_t<T> index{};
+            for_each([&](const auto& primitive) {
+                Record candidate;
+                const mask_t<T> met = detail::hit(primitive, ray, t_min, select(found, rec.t, t_max), candidate);
+                const mask_t<T> nearer = met && (!found || candidate.t < rec.t);
+                if constexpr (has_index<Record>) detail::put(candidate.index, index);
+                if (any(nearer)) assign(nearer, rec, candidate);
+                found = found || nearer;
+                index = index + index_t<T>(1);
+                return true;
+            });
+            return found;
+        }
     }
 
-    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return occluded<T>(ray, t_min, t_max);
-    }
-    template <real R>
-    RAIO_FN constexpr mask_t<T> occluded(const ray<R>& ray, T t_min, T t_max) const {
+    template <ray_of<T> Ray = raio::ray<T>>
+    RAIO_FN constexpr mask_t<T> occluded(const Ray& ray, T t_min, T t_max) const {
         mask_t<T> found = !(T(0) == T(0));
         for_each([&](const auto& primitive) {
             found = some(found, detail::occluded(primitive, ray, t_min, t_max));
@@ -99,9 +97,8 @@ struct group {
     }
 
     /// Where the ray is inside any of the members, if all of them are solids.
-    RAIO_FN constexpr auto spans(const ray<T>& ray) const requires all_solid { return spans<T>(ray); }
-    template <real R>
-    RAIO_FN constexpr auto spans(const ray<R>& ray) const requires all_solid {
+    template <ray_of<T> Ray = raio::ray<T>>
+    RAIO_FN constexpr auto spans(const Ray& ray) const requires all_solid {
         constexpr std::size_t rooms[] = {detail::room_of_member<First>(), detail::room_of_member<Rest>()...};
         constexpr std::size_t all = [&] {
             std::size_t sum = 0;

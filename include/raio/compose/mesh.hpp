@@ -33,16 +33,19 @@ struct mesh {
         return {vertices[a], vertices[b], vertices[c]};
     }
 
-    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         bool found = false;
+        hit_record<T> nearest;
         for (std::size_t i = 0; i < size(); ++i) {
             hit_record<T> candidate;
-            if (!(*this)[i].hit(ray, t_min, found ? rec.t : t_max, candidate)) continue;
-            if (found && !(candidate.t < rec.t)) continue;
-            rec = candidate;
-            rec.index = static_cast<std::uint32_t>(i);
+            if (!(*this)[i].hit(ray, t_min, found ? nearest.t : t_max, candidate)) continue;
+            if (found && !(candidate.t < nearest.t)) continue;
+            nearest = candidate;
+            nearest.index = static_cast<std::uint32_t>(i);
             found = true;
         }
+        if (found) assign(rec, nearest);
         return found;
     }
 
@@ -103,19 +106,20 @@ struct mesh_triangle {
     const mesh<T>* of;
     std::uint32_t index;
 
-    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return (*of)[index].hit(ray, t_min, t_max, rec);
     }
     mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const { return (*of)[index].occluded(ray, t_min, t_max); }
     aabb<T> bounds() const { return (*of)[index].bounds(); }
 
-    template <class W, real R, class Wanted = every_crossing>
-    crossing<W> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        return (*of)[index].template crossings<W>(ray, wanted);
+    template <class Line, class Wanted = every_crossing>
+    auto crossings(const Line& line, const Wanted& wanted = {}) const {
+        return (*of)[index].crossings(line, wanted);
     }
-    template <class W, real R, real N>
-    void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        (*of)[index].surface(ray, c, rec);
+    template <class Point>
+    void surface(Point& at) const {
+        (*of)[index].surface(at);
     }
 
     /// Room for N triangles of the same mesh, whose corners are fetched as they are needed.

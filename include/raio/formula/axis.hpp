@@ -16,42 +16,30 @@ namespace raio::detail {
 /// \param to_base, to_top  how far it is along the axis from where the line has t = 0 to each plane, times the length
 /// of
 ///                         the axis
-template <class W, proven_vector A>
+template <class W, proven_vector A, proven_vector D>
 RAIO_FN constexpr chord<W> cross_slab(const A& axis, const bounded_number<W>& to_base, const bounded_number<W>& to_top,
-                                      const given_vector<W>& d) {
-    const bounded_number<W> speed = dot(axis, d), over = inverse(speed), low = to_base * over, high = to_top * over;
-    const auto crosses = is_positive(abs(speed));
+                                      const D& d) {
+    const auto speed = dot(axis, d);
     const mask_t<W> upward = !(speed.value < W(0));
     const index_t<W> base_face(1), top_face(2);
-    chord<W> c = between(crosses, choose_where(upward, low, high), choose_where(upward, high, low));
+    chord<W> c = cross_between(to_base, to_top, speed);
     c.near.face = select(upward, base_face, top_face), c.far.face = select(upward, top_face, base_face);
-    if (all(crosses.certainly)) return c;
-
-    // A line that is parallel to the planes is between them everywhere or nowhere.
-    return unless(!crosses, c, every(is_not_negative(-to_base), is_not_negative(to_top)));
+    return c;
 }
 
 /// The chord through the slab between the two planes that the caps lie in.
-template <class W, real T, real R>
-RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const line<W, R>& line) {
+template <class Line, real T>
+RAIO_FN constexpr auto cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const Line& line) {
     const auto axis = line.between(base, top);
-    return cross_slab<W>(axis, dot(axis, line.to(base)), dot(axis, line.to(top)), line.direction());
-}
-template <class W, real T, real R>
-RAIO_FN constexpr chord<W> cross_cap_planes(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
-    return cross_cap_planes(base, top, line<W, R>{ray});
+    return cross_slab(axis, dot(axis, line.to(base)), dot(axis, line.to(top)), line.direction());
 }
 
 /// The chord below the plane of the upper cap alone.
-template <class W, real T, real R>
-RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const line<W, R>& line) {
+template <class Line, real T>
+RAIO_FN constexpr auto cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const Line& line) {
     const auto axis = line.between(base, top);
-    return cross_half_space(dot(axis, line.from(top)), dot(axis, line.direction()), index_t<W>(2));
-}
-
-template <class W, real T, real R>
-RAIO_FN constexpr chord<W> cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const ray<R>& ray) {
-    return cross_upper_plane(base, top, line<W, R>{ray});
+    const index_t<typename Line::number> upper(2);
+    return cross_half_space(dot(axis, line.from(top)), dot(axis, line.direction()), upper);
 }
 
 /// The crossing, if it lies in the slab: what an open side keeps of those of the endless surface.
@@ -71,49 +59,49 @@ RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
 
 /// The chord of a side, whose face is 0, and of the spheres at both its ends, whose faces are 1 and 2. These lie within
 /// the side without its ends: where that is crossed between them, they are not.
-template <class W, class Sphere, real R>
-RAIO_FN constexpr chord<W> with_round_ends(const chord<W>& c, const Sphere& low, const Sphere& high,
-                                           const ray<R>& ray) {
+template <class W, class Sphere, class Line>
+RAIO_FN constexpr chord<W> with_round_ends(const chord<W>& c, const Sphere& low, const Sphere& high, const Line& line) {
     const index_t<W> side(0);
     const mask_t<W> beside = every(c.near.exists, c.near.certain, c.near.face == side, c.far.face == side);
     if (all(beside)) return c;
-    chord<W> of_low = low.template crossings<W>(ray), of_high = high.template crossings<W>(ray);
+    chord<W> of_low = low.crossings(line), of_high = high.crossings(line);
     of_low.near.face = of_low.far.face = index_t<W>(1);
     of_high.near.face = of_high.far.face = index_t<W>(2);
     chord<W> whole = unite(c, unite(of_low, of_high));
     return {select(beside, c.near, whole.near), select(beside, c.far, whole.far)};
 }
 
-/// What all of them record: the normal and uv of the face that was hit.
+/// What all of them say of a point: the normal and uv of the face that was hit.
 /// \param radii          of the two caps
 /// \param bend           how far the side curves at most
 /// \param side_gradient  outwards across the side, of any length, from the vector from the axis and the height there
-template <class W, real T, real R, real N, class SideGradient>
-RAIO_FN constexpr void axial_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, T bend,
-                                     const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec,
+template <class Point, real T, class SideGradient>
+RAIO_FN constexpr void axial_surface(Point& at, const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, T bend,
                                      SideGradient side_gradient) {
-    using Q = working_t<N>;
-    vec3<W> axis = difference_as<W>(top, base), from_base = seen_from(base, ray, c.t);
+    using W = typename Point::number;
+    using Q = working_t<T>;
+    vec3<W> axis = difference_as<W>(top, base), from_base = at.from(base);
     W height = dot(from_base, axis) / dot(axis, axis);
     vec3<W> across = from_base - axis * height;
-    const mask_t<W> side = c.face == index_t<W>(0), low = c.face == index_t<W>(1);
+    const mask_t<W> side = at.face() == index_t<W>(0), low = at.face() == index_t<W>(1);
     vec3<Q> up = scaled_into_range<T>(vec3<Q>(axis)), from_axis(across);
+
+    at.record_point(bend);
     vec3<Q> sideways = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
     vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
-    Q steep = length(outward);
+    const Q steep = length(outward);
     const mask_t<Q> waist = !every(steep > Q(0), is_finite(steep));
     if (any(waist)) {  // too narrow for a normal, or too wide: it is the axis, against the ray
-        const Q turned = copysign(Q(1), Q(-dot(axis, vec3<W>(ray.direction)))) * select(c.entering, Q(1), Q(-1));
-        outward = select(waist, up * turned, outward), steep = select(waist, length(up), steep);
+        const Q turned = copysign(Q(1), Q(-dot(axis, at.direction()))) * select(at.entering(), Q(1), Q(-1));
+        outward = select(waist, up * turned, outward);
     }
-
-    record_point(ray, c, rec, bend);
-    rec.normal = vec3<N>(outward * (select(c.entering, Q(1), Q(-1)) / steep));
-    // Angles do not ask for unit length.
-    const frame<Q> f = frame_about(up, length(up));
-    const T rho(quotient(length(from_axis), Q(select(low, radii.x, radii.y)), Q(0)));
-    rec.uv = {turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))),
-              max(T(0), min(T(1), select(side, T(height), rho)))};
+    at.record_normal(outward);
+    at.record_uv([&] {  // angles do not ask for unit length
+        const frame<Q> f = frame_about(up, length(up));
+        const T rho(quotient(length(from_axis), Q(select(low, radii.x, radii.y)), Q(0)));
+        return vec2<T>(turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))),
+                       max(T(0), min(T(1), select(side, T(height), rho))));
+    });
 }
 
 /// Around two discs across one axis, and what may have been rounded off a point at their planes.

@@ -97,10 +97,12 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
 /// Where a line crosses the plane of two edges.
 /// \param far  what of u and v may not be above 1
 /// \param wanted  which crossings are
-template <class W, real R, real T, proven_vector E1, proven_vector E2, class Far, class Wanted>
-RAIO_FN constexpr crossing<W> cross_edges(const line<W, R>& line, const vec3<T>& corner, const E1& e1, const E2& e2,
-                                          Far far, [[maybe_unused]] const Wanted& wanted) {
-    if constexpr (has_closer_look<W>) {
+template <class Line, real T, proven_vector E1, proven_vector E2, class Far, class Wanted>
+RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, const vec3<T>& corner, const E1& e1,
+                                                              const E2& e2, Far far,
+                                                              [[maybe_unused]] const Wanted& wanted) {
+    using W = typename Line::number;
+    if constexpr (Line::is_exact && has_closer_look<W>) {
         const auto inside = [far](const W& size, const W& u, const W& v) { return min(size - far(u, v), min(u, v)); };
         return cross_edges(vec3<W>(corner), vec3<W>(e1.x, e1.y, e1.z), vec3<W>(e2.x, e2.y, e2.z), line.ray, inside,
                            wanted)
@@ -146,13 +148,14 @@ RAIO_FN constexpr vec3<W> normal_of_edges(Edge edge, [[maybe_unused]] const vec3
     return normal;
 }
 
-/// Records the crossing with a flat shape that has such edges.
-template <class W, real R, real T, real N, class Edge>
-RAIO_FN constexpr void record_flat(const aabb<T>& corners, Edge edge, const ray<R>& ray, const crossing<W>& at,
-                                   hit_record<T, N>& rec) {
-    vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal_of_edges<T, W>(edge, vec3<W>(ray.direction)))));
-    record_point_between(corners, ray, at, rec);
-    rec.normal = outward * choose(at.entering, N(1), N(-1));
+/// What a flat shape between two such edges says of a point.
+/// \param corners  the box around it
+template <class Point, real T, class Edge>
+RAIO_FN constexpr void flat_surface(Point& at, const aabb<T>& corners, Edge edge) {
+    using W = typename Point::number;
+    at.record_point();
+    at.keep_between(corners);
+    at.record_normal(normal_of_edges<T, W>(edge, at.direction()));
 }
 
 }  // namespace raio

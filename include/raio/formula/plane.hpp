@@ -20,16 +20,20 @@ RAIO_FN constexpr chord<W> cross_half_space(const bounded_number<W>& height, con
     return unless(!crosses, c, is_not_negative(-height));
 }
 
-/// Puts the recorded point onto its plane if that runs across an axis, as bounds without a thickness expect it: one
-/// coordinate is known then, that of any other point of the plane.
-template <real T, real N>
-RAIO_FN constexpr void put_onto_plane(const vec3<T>& normal, const vec3<T>& on_plane, hit_record<T, N>& rec) {
-    const auto put = [](const T& n_j, const T& n_k, const T& known, T& p) {
-        p = select(every(n_j == T(0), n_k == T(0)), known, p);
-    };
-    put(normal.y, normal.z, on_plane.x, rec.point.x);
-    put(normal.z, normal.x, on_plane.y, rec.point.y);
-    put(normal.x, normal.y, on_plane.z, rec.point.z);
+/// The part of a line between two planes that are parallel.
+/// \param to_low, to_high  how far it is to each across them, from the point where the line has t = 0
+/// \param speed            how fast the line goes that way
+template <class W>
+RAIO_FN constexpr chord<W> cross_between(const bounded_number<W>& to_low, const bounded_number<W>& to_high,
+                                         const bounded_number<W>& speed) {
+    const bounded_number<W> over = inverse(speed), low = to_low * over, high = to_high * over;
+    const auto crosses = is_positive(abs(speed));
+    const mask_t<W> upward = !(speed.value < W(0));
+    chord<W> c = between(crosses, choose_where(upward, low, high), choose_where(upward, high, low));
+    if (all(crosses.certainly)) return c;
+
+    // A line that is parallel to the planes is between them everywhere or nowhere.
+    return unless(!crosses, c, every(is_not_negative(-to_low), is_not_negative(to_high)));
 }
 
 }  // namespace raio

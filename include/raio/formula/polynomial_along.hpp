@@ -14,8 +14,8 @@ namespace raio {
 
 /// The part of a line that passes a ball; the point at x is seen from `base`, where the shape's x = y = z = 0.
 /// \param center  of the ball, as near to it as 2^-12 of the radius
-template <class W, class R, real T>
-RAIO_FN constexpr line_part<W> part_near(const line<W, R>& line, const vec3<T>& base, const vec3<W>& center,
+template <class W, class Line, real T>
+RAIO_FN constexpr line_part<W> part_near(const Line& line, const vec3<T>& base, const vec3<W>& center,
                                          const W& radius) {
     const auto d = line.direction();
     const auto l = line.to(center);
@@ -31,11 +31,6 @@ RAIO_FN constexpr line_part<W> part_near(const line<W, R>& line, const vec3<T>& 
     const auto middle = starts_within ? line.given(W(0)) : as_given(dot(l, d) * inverse(d2));
     const auto half = as_given(size * inverse(sqrt(d2)));
     return part_of(line, every(passes, is_positive(half)), base, size, middle, half, W(starts_within ? 2 : 1));
-}
-template <class W, real R, real T>
-RAIO_FN constexpr line_part<W> part_near(const ray<R>& ray, const vec3<T>& base, const vec3<W>& center,
-                                         const W& radius) {
-    return part_near(line<W, R>{ray}, base, center, radius);
 }
 
 }  // namespace raio

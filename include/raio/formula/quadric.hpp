@@ -49,8 +49,8 @@ turned_conic(C0, C1, C2, D) -> turned_conic<C0, C1, C2, D>;
 /// \param l       from the line's origin to B
 /// \param radius  nothing that counts of the surface is farther from the axis, or higher than h = 1 or -1. It is
 ///                missed unless that is above zero.
-template <class W, int K, proven_vector L, proven_number Radius, class... Conic>
-RAIO_FN constexpr hollow_chord<W> cross_quadric(const given_vector<W>& d, const L& l, const rounded_vector<W, K>& axis,
+template <class W, int K, proven_vector D, proven_vector L, proven_number Radius, class... Conic>
+RAIO_FN constexpr hollow_chord<W> cross_quadric(const D& d, const L& l, const rounded_vector<W, K>& axis,
                                                 const turned_conic<Conic...>& conic, const Radius& radius) {
     const auto c0 = conic.c0;
     const auto c1 = conic.c1;

@@ -43,14 +43,14 @@ template <class W>
 class line_beside_axis {
 public:
     /// \param whole  the bounds of all that is asked for
-    template <real R, real P, real T>
-    RAIO_FN constexpr line_beside_axis(const ray<R>& ray, const vec3<P>& base, const vec3<P>& axis,
+    template <class Line, real P, real T>
+    RAIO_FN constexpr line_beside_axis(const Line& line, const vec3<P>& base, const vec3<P>& axis,
                                        const profile_bounds<P>& whole, const T& t_min, const T& t_max) {
         const vec3<W> a(axis);
         const W low(whole.low.y), high(whole.high.y);
         axis2_ = dot(a, a);
         const W unit = sqrt(axis2_), size = W(whole.high.x) + (high - low) * (W(0.5) * unit);
-        const auto part = part_near(ray, base, vec3<W>(base) + a * ((low + high) * W(0.5)), size);
+        const auto part = part_near(line, base, vec3<W>(base) + a * ((low + high) * W(0.5)), size);
         margin_ = size * W(3 * 0x1p-13), height_margin_ = margin_ * unit;
         const auto has_all_digits = [](const W& x) { return every(W(0x1p-900) < x, x < W(0x1p900)); };
         knows_ =

@@ -18,9 +18,8 @@
 namespace raio {
 
 /// The chord through the sphere.
-template <class W, int K, int L, int M>
-[[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere(const rounded_vector<W, K>& l,
-                                                               const rounded_vector<W, L>& d,
+template <class W, int M, proven_vector L, proven_vector D>
+[[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere(const L& l, const D& d,
                                                                const rounded_number<W, M>& radius) {
     auto a = square(d);
     auto r2 = square(radius);
@@ -76,10 +75,11 @@ inline constexpr bool has_spare_digits = std::same_as<scalar_t<W>, strict_double
 /// If s^2 is far above it, s is off by half of bound / s. And as s is at most |d| radius, |l| |d| is at most
 /// a (l.l + radius^2) / (2 s): the roundings of b, of b -+ s and of the division come to half of bound / s as well.
 ///
-/// What doubles cross goes the other way: of their t more is wanted.
-/// \param power  answers with the `power_of_point` of the ray's origin
+/// What doubles cross goes the other way: of their t more is wanted. And so does the line of a ray that was mapped.
+/// \param power  answers with the `power_of_point` of a point, the ray's origin
 template <class W, real R, int K, int L, int M, class Power>
-[[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere_along(const line<W, R>&, const rounded_vector<W, K>& l,
+[[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere_along(const line<W, R>& line,
+                                                                     const rounded_vector<W, K>& l,
                                                                      const rounded_vector<W, L>& d,
                                                                      const rounded_number<W, M>& radius,
                                                                      [[maybe_unused]] Power power) {
@@ -106,12 +106,18 @@ template <class W, real R, int K, int L, int M, class Power>
     bounded_number<W> near_end((b - s) * over_a, error), far_end((b + s) * over_a, error);
     if constexpr (std::same_as<scalar_t<W>, float>) {
         const mask_t<W> beside = every(meets, some(size_of(near_end) <= error, size_of(far_end) <= error));
-        if (any(beside)) tell_side(beside, b, s, error * of_a, power(), near_end, far_end);
+        if (any(beside)) tell_side(beside, b, s, error * of_a, power(line.ray.origin), near_end, far_end);
     }
     chord<W> c = between({meets, meets, meets}, near_end, far_end);
     if (all(known)) return c;
     chord<W> other = cross_sphere(l, d, radius);
     return {select(known, c.near, other.near), select(known, c.far, other.far)};
+}
+
+template <class W, proven_vector L, proven_vector D, int M, class Power>
+[[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere_along(const mapped_line<W>&, const L& l, const D& d,
+                                                                     const rounded_number<W, M>& radius, Power) {
+    return cross_sphere(l, d, radius);
 }
 
 }  // namespace raio

@@ -54,30 +54,4 @@ RAIO_FN constexpr transform<T> rotation(const vec3<T>& axis, const T& angle) {
     return {turned({T(1), T(0), T(0)}), turned({T(0), T(1), T(0)}), turned({T(0), T(0), T(1)})};
 }
 
-/// The inverse of a linear map: the rows of its matrix, which are the reciprocal basis of the images of the unit
-/// vectors. Zero where the map is singular.
-template <real W>
-struct linear_inverse {
-    vec3<W> x, y, z;
-
-    /// Determinants and quotients are computed in the last precision of T and rounded to W.
-    template <real T>
-    RAIO_FN constexpr explicit linear_inverse(const transform<T>& map) {
-        using X = exact_t<T>;
-        vec3<X> a(map.x), b(map.y), c(map.z), b_c = cross(b, c), c_a = cross(c, a), a_b = cross(a, b);
-        X over_det = quotient(X(1), dot(a, b_c), X(0));
-        x = vec3<W>(b_c * over_det), y = vec3<W>(c_a * over_det), z = vec3<W>(a_b * over_det);
-    }
-
-    template <real V>
-    RAIO_FN constexpr vec3<W> operator()(const vec3<V>& v) const {
-        const auto along = [&](const vec3<W>& row) {
-            return product_as<W>(v.x, row.x) + product_as<W>(v.y, row.y) + product_as<W>(v.z, row.z);
-        };
-        return {along(x), along(y), along(z)};
-    }
-    /// How normals go the other way: by the transpose.
-    RAIO_FN constexpr vec3<W> transposed(const vec3<W>& n) const { return x * n.x + y * n.y + z * n.z; }
-};
-
 }  // namespace raio

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <raio/number/bounded_number.hpp>
+#include <raio/number/choice.hpp>
 
 /// \file
 /// Vectors that know how far off they may be: one bound for all three components is what their products need.
@@ -91,6 +91,12 @@ RAIO_FN constexpr bound_t<W> error_of(const bounded_vector<W>& v) {
     return v.error;
 }
 
+/// As large as the exact vector may be.
+template <proven_vector V>
+RAIO_FN constexpr auto most_of(const V& v) {
+    return size_of(v) + error_of(v);
+}
+
 // What a product is off by that rounds its terms so many times.
 template <class W, int K, int L>
 RAIO_FN constexpr bound_t<W> error_of_product(int count, const rounded_vector<W, K>& a, const rounded_vector<W, L>& b) {
@@ -142,6 +148,11 @@ RAIO_FN constexpr bounded_number<W> determinant(const rounded_vector<W, K>& a, c
     return {detail::sum_of_products(a.x, x, a.y, y, a.z, z), detail::roundings<W>(K + L + M + 5, size)};
 }
 
+template <proven_vector A, proven_vector B, proven_vector C>
+RAIO_FN constexpr auto determinant(const A& a, const B& b, const C& c) {
+    return dot(a, cross(b, c));
+}
+
 /// The last component.
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, K> z_of(const rounded_vector<W, K>& v) {
@@ -185,6 +196,15 @@ RAIO_FN constexpr bounded_vector<W> shear(const rounded_vector<W, K>& v, const r
     E slopes = E(1) + abs(E(slope.x)) + abs(E(slope.y));
     return {v.x - slope.x * v.z, v.y - slope.y * v.z, v.z,
             detail::roundings<W>(K + L + 2, abs(E(v.x)) + abs(E(v.y)) + slopes * abs(E(v.z)))};
+}
+template <proven_vector V, proven_vector Slope>
+RAIO_FN constexpr auto shear(const V& v, const Slope& slope) {
+    using W = typename V::number;
+    using E = bound_t<W>;
+    const E z = abs(E(v.z)) + detail::error_of(v), slopes = abs(E(slope.x)) + abs(E(slope.y));
+    const E rounding = detail::roundings<W>(2, size_of(v) + slopes * z);
+    return bounded_vector<W>{v.x - slope.x * v.z, v.y - slope.y * v.z, v.z,
+                             detail::error_of(v) * (E(1) + slopes) + detail::error_of(slope) * z + rounding};
 }
 
 /// p.M q, where the symmetric matrix M has these numbers on the diagonal, and half of those beside it: at yz, zx, xy.
@@ -250,6 +270,16 @@ RAIO_FN constexpr auto operator-(const A& a, const B& b) {
 template <class W, int K, int L>
 RAIO_FN constexpr rounded_vector<W, K + L + 1> operator*(const rounded_vector<W, K>& a, const rounded_vector<W, L>& b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+template <proven_vector A, proven_vector B>
+RAIO_FN constexpr auto operator*(const A& a, const B& b) {
+    using W = typename A::number;
+    using E = bound_t<W>;
+    const auto largest = [](const auto& v) { return max(max(abs(E(v.x)), abs(E(v.y))), abs(E(v.z))); };
+    const E a_error = detail::error_of(a), b_error = detail::error_of(b);
+    return bounded_vector<W>{
+        a.x * b.x, a.y * b.y, a.z * b.z,
+        largest(a) * b_error + (largest(b) + b_error) * a_error + detail::roundings<W>(1, detail::size_of_terms(a, b))};
 }
 
 template <class W, int K, int L>

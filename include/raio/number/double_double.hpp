@@ -35,15 +35,12 @@ public:
     requires std::is_arithmetic_v<N> RAIO_FN constexpr basic_double_double(N value)
         : high_(static_cast<double>(value)), low_(0.0) {}
     RAIO_FN constexpr basic_double_double(D value) : high_(value), low_(0.0) {}
-    RAIO_FN constexpr basic_double_double(rounded_double value) requires(!is_pack)
-        : basic_double_double(static_cast<double>(value)) {}
     template <std::same_as<double_double> One>
     requires is_pack RAIO_FN constexpr basic_double_double(One value) : high_(value.high_), low_(value.low_) {}
     template <detail::same_lanes<D> Pack>
     RAIO_FN explicit basic_double_double(const Pack& value) : basic_double_double(D(value)) {}
 
     RAIO_FN constexpr explicit operator D() const { return high_; }
-    RAIO_FN constexpr explicit operator rounded_double() const requires(!is_pack) { return high_; }
     RAIO_FN constexpr explicit operator double() const requires(!is_pack) { return static_cast<double>(high_); }
     /// The nearest float to the sum of both parts, not to the high one: a double in the middle between two floats is
     /// first moved off it by its last bit, to the side where the low part lies (round to odd; Boldo and Melquiond

@@ -20,10 +20,7 @@
 
 namespace raio {
 
-template <int Digits>
-class basic_strict_double;
-using strict_double = basic_strict_double<53>;
-using rounded_double = basic_strict_double<51>;
+class strict_double;
 template <class D>
 class basic_double_double;
 using double_double = basic_double_double<strict_double>;

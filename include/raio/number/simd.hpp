@@ -18,7 +18,7 @@
 
 namespace raio {
 
-/// N numbers S: `float`, `double`, `strict_double` or `rounded_double`, or, to count with, unsigned ones of the same
+/// N numbers S: `float`, `double` or `strict_double`, or, to count with, unsigned ones of the same
 /// size.
 template <class S, std::size_t N = detail::native_lanes<S>>
 class pack {

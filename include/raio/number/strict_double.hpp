@@ -56,72 +56,44 @@ RAIO_FN constexpr void keep_as_stored([[maybe_unused]] const Arguments&... argum
 }  // namespace detail
 
 /// A double that is never contracted. Converts from every built-in number, and back only when told to.
-///
-/// \tparam Digits  how many of its 53 digits are taken for right. A formula bounds its errors in roundings, one for
-///                 each operation. With `rounded_double`, of 51 digits, every one counts for four: so the numbers that
-///                 the formula is given may have been rounded as well. (A term of degree n in these has n roundings of
-///                 its own at least, those of n - 1 products and of the sum or quotient that it goes into, and n more
-///                 then.)
-template <int Digits>
-class basic_strict_double {
+class strict_double {
 public:
-    basic_strict_double() = default;
+    strict_double() = default;
     template <class N>
-    requires std::is_arithmetic_v<N> RAIO_FN constexpr basic_strict_double(N value)
-        : value_(static_cast<double>(value)) {}
-    template <std::same_as<strict_double> Strict>
-    requires(Digits != 53) RAIO_FN constexpr basic_strict_double(Strict value) : value_(static_cast<double>(value)) {}
+    requires std::is_arithmetic_v<N> RAIO_FN constexpr strict_double(N value) : value_(static_cast<double>(value)) {}
 
-    template <std::same_as<strict_double> Strict>
-    requires(Digits != 53) RAIO_FN constexpr explicit operator Strict() const { return value_; }
     RAIO_FN constexpr explicit operator double() const { return value_; }
     RAIO_FN constexpr explicit operator float() const { return static_cast<float>(value_); }
 
-    RAIO_FN constexpr basic_strict_double operator-() const { return -value_; }
-    RAIO_FN friend constexpr basic_strict_double operator+(basic_strict_double a, basic_strict_double b) {
-        return a.value_ + b.value_;
-    }
-    RAIO_FN friend constexpr basic_strict_double operator-(basic_strict_double a, basic_strict_double b) {
-        return a.value_ - b.value_;
-    }
-    RAIO_FN friend constexpr basic_strict_double operator*(basic_strict_double a, basic_strict_double b) {
+    RAIO_FN constexpr strict_double operator-() const { return -value_; }
+    RAIO_FN friend constexpr strict_double operator+(strict_double a, strict_double b) { return a.value_ + b.value_; }
+    RAIO_FN friend constexpr strict_double operator-(strict_double a, strict_double b) { return a.value_ - b.value_; }
+    RAIO_FN friend constexpr strict_double operator*(strict_double a, strict_double b) {
         return detail::rounded_product(a.value_, b.value_);
     }
-    RAIO_FN friend constexpr basic_strict_double operator/(basic_strict_double a, basic_strict_double b) {
-        return a.value_ / b.value_;
-    }
-    RAIO_FN constexpr basic_strict_double& operator+=(basic_strict_double b) { return *this = *this + b; }
-    RAIO_FN constexpr basic_strict_double& operator-=(basic_strict_double b) { return *this = *this - b; }
-    RAIO_FN constexpr basic_strict_double& operator*=(basic_strict_double b) { return *this = *this * b; }
-    RAIO_FN constexpr basic_strict_double& operator/=(basic_strict_double b) { return *this = *this / b; }
+    RAIO_FN friend constexpr strict_double operator/(strict_double a, strict_double b) { return a.value_ / b.value_; }
+    RAIO_FN constexpr strict_double& operator+=(strict_double b) { return *this = *this + b; }
+    RAIO_FN constexpr strict_double& operator-=(strict_double b) { return *this = *this - b; }
+    RAIO_FN constexpr strict_double& operator*=(strict_double b) { return *this = *this * b; }
+    RAIO_FN constexpr strict_double& operator/=(strict_double b) { return *this = *this / b; }
 
-    RAIO_FN friend constexpr bool operator==(basic_strict_double a, basic_strict_double b) {
-        return a.value_ == b.value_;
-    }
-    RAIO_FN friend constexpr bool operator<(basic_strict_double a, basic_strict_double b) {
-        return a.value_ < b.value_;
-    }
-    RAIO_FN friend constexpr bool operator<=(basic_strict_double a, basic_strict_double b) {
-        return a.value_ <= b.value_;
-    }
-    RAIO_FN friend constexpr bool operator>(basic_strict_double a, basic_strict_double b) {
-        return a.value_ > b.value_;
-    }
-    RAIO_FN friend constexpr bool operator>=(basic_strict_double a, basic_strict_double b) {
-        return a.value_ >= b.value_;
-    }
+    RAIO_FN friend constexpr bool operator==(strict_double a, strict_double b) { return a.value_ == b.value_; }
+    RAIO_FN friend constexpr bool operator<(strict_double a, strict_double b) { return a.value_ < b.value_; }
+    RAIO_FN friend constexpr bool operator<=(strict_double a, strict_double b) { return a.value_ <= b.value_; }
+    RAIO_FN friend constexpr bool operator>(strict_double a, strict_double b) { return a.value_ > b.value_; }
+    RAIO_FN friend constexpr bool operator>=(strict_double a, strict_double b) { return a.value_ >= b.value_; }
 
     /// a b + c, rounded once: where that is asked for it is no contraction.
-    RAIO_FN friend basic_strict_double fma(basic_strict_double a, basic_strict_double b, basic_strict_double c) {
+    RAIO_FN friend strict_double fma(strict_double a, strict_double b, strict_double c) {
         return std::fma(a.value_, b.value_, c.value_);
     }
-    RAIO_FN friend constexpr basic_strict_double sqrt(basic_strict_double x) { return raio::sqrt(x.value_); }
-    RAIO_FN friend constexpr basic_strict_double abs(basic_strict_double x) { return raio::abs(x.value_); }
-    RAIO_FN friend constexpr basic_strict_double floor(basic_strict_double x) { return raio::floor(x.value_); }
-    RAIO_FN friend constexpr basic_strict_double copysign(basic_strict_double magnitude, basic_strict_double sign) {
+    RAIO_FN friend constexpr strict_double sqrt(strict_double x) { return raio::sqrt(x.value_); }
+    RAIO_FN friend constexpr strict_double abs(strict_double x) { return raio::abs(x.value_); }
+    RAIO_FN friend constexpr strict_double floor(strict_double x) { return raio::floor(x.value_); }
+    RAIO_FN friend constexpr strict_double copysign(strict_double magnitude, strict_double sign) {
         return raio::copysign(magnitude.value_, sign.value_);
     }
-    RAIO_FN friend constexpr basic_strict_double atan2(basic_strict_double y, basic_strict_double x) {
+    RAIO_FN friend constexpr strict_double atan2(strict_double y, strict_double x) {
         return raio::atan2(y.value_, x.value_);
     }
 
@@ -129,17 +101,7 @@ private:
     double value_;
 };
 
-/// What it was rounded from settles what it leaves open.
-template <>
-struct real_traits<rounded_double> : detail::one_number<rounded_double> {
-    using exact = double_double;
-    using bound = strict_double;
-};
-
 }  // namespace raio
 
-template <int Digits>
-class std::numeric_limits<raio::basic_strict_double<Digits>> : public std::numeric_limits<double> {
-public:
-    static constexpr int digits = Digits;
-};
+template <>
+class std::numeric_limits<raio::strict_double> : public std::numeric_limits<double> {};

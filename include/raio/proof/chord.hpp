@@ -267,22 +267,21 @@ RAIO_FN constexpr chord<W> between_faces(const R& origin, const R& direction, co
 }
 
 /// Keeps only ends whose point T can say.
-template <real T, real R, class W>
-RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, chord<W>& c) {
+template <real T, class Line, class W>
+RAIO_FN constexpr void keep_if_reachable(const Line& line, chord<W>& c) {
     using E = bound_t<W>;
-    vec3<E> origin(vec3<W>(ray.origin)), direction(vec3<W>(ray.direction));
     E reach = max(abs(E(c.near.t)), abs(E(c.far.t))) + max(c.near.error, c.far.error);
-    E farthest = norm1(origin) + norm1(direction) * reach;
+    E farthest = detail::most_of(line.origin()) + detail::most_of(line.direction()) * reach;
     // Both are, errors included: the half of what is asked for below leaves room for the roundings here.
     if (all(farthest < E(std::numeric_limits<scalar_t<T>>::max() / 4))) return;
-    keep_if_reachable<T>(ray, c.near);
-    keep_if_reachable<T>(ray, c.far);
+    keep_if_reachable<T>(line, c.near);
+    keep_if_reachable<T>(line, c.far);
 }
 
-template <real T, real R, class W>
-RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, chord_pair<W>& c) {
-    keep_if_reachable<T>(ray, c.first);
-    keep_if_reachable<T>(ray, c.second);
+template <real T, class Line, class W>
+RAIO_FN constexpr void keep_if_reachable(const Line& line, chord_pair<W>& c) {
+    keep_if_reachable<T>(line, c.first);
+    keep_if_reachable<T>(line, c.second);
 }
 
 }  // namespace raio

@@ -180,13 +180,13 @@ RAIO_FN constexpr bool may_leave(const mask_t<W>& out) {
 }
 
 /// Keeps only crossings whose point T can say: those of a shape without end may lie beyond its largest number.
-template <real T, real R, class W>
-RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, crossing<W>& c) {
-    vec3<bound_t<W>> origin(vec3<W>(ray.origin)), direction(vec3<W>(ray.direction));
-    bound_t<W> farthest = norm1(origin) + norm1(direction) * abs(bound_t<W>(c.t));
+template <real T, class Line, class W>
+RAIO_FN constexpr void keep_if_reachable(const Line& line, crossing<W>& c) {
+    bound_t<W> speed = detail::most_of(line.direction());
+    bound_t<W> farthest = detail::most_of(line.origin()) + speed * abs(bound_t<W>(c.t));
     const bound_t<W> most(std::numeric_limits<scalar_t<T>>::max() / 2);
     if constexpr (std::same_as<W, T>) {  // whoever takes a closer look decides so close to the end of the range
-        c.certain = every(c.certain, some(!c.exists, farthest + norm1(direction) * c.error < most / bound_t<W>(2)));
+        c.certain = every(c.certain, some(!c.exists, farthest + speed * c.error < most / bound_t<W>(2)));
     }
     c.exists = every(c.exists, farthest < most);
 }

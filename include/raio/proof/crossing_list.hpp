@@ -189,11 +189,11 @@ RAIO_FN constexpr crossing_list<W, 4> listed(const chord_pair<W>& c) {
 }
 
 /// Keeps only crossings whose point T can say.
-template <real T, real R, class W, std::size_t N>
-RAIO_FN constexpr void keep_if_reachable(const ray<R>& ray, crossing_list<W, N>& list) {
+template <real T, class Line, class W, std::size_t N>
+RAIO_FN constexpr void keep_if_reachable(const Line& line, crossing_list<W, N>& list) {
     std::size_t kept = 0;
     for (crossing<W> c : list) {
-        keep_if_reachable<T>(ray, c);
+        keep_if_reachable<T>(line, c);
         if (c.exists) list.crossings[kept++] = c;
     }
     list.count = kept;
@@ -254,20 +254,20 @@ RAIO_FN constexpr bool are_all(const crossing_list<W, N>& list) {
 
 namespace detail {
 
-/// Can the shape's crossings be said as a list?
-template <class Shape, class R>
-concept lists_crossings = requires(const Shape shape, const ray<R> ray) {
-    listed(shape.template crossings<exact_t<typename Shape::number>>(ray));
+/// Can the shape's crossings be said as a list? (Packs have none.)
+template <class Shape, class Ray>
+concept lists_crossings = !has_lanes<typename Shape::number> && requires(const Shape shape, const Ray& ray) {
+    listed(shape.crossings(line_in<exact_t<typename Shape::number>>(ray)));
 };
 
 }  // namespace detail
 
 /// Where the line is inside a solid: from where it enters to where it leaves next.
-template <class Shape, real R>
-requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
+template <class Shape, class Ray>
+requires detail::lists_crossings<Shape, Ray> RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
     using T = typename Shape::number;
     using X = exact_t<T>;
-    const auto exact = [&] { return shape.template crossings<X>(ray); };
+    const auto exact = [&] { return shape.crossings(line_in<X>(ray)); };
     const auto room_for_half = []<class W, std::size_t N>(const crossing_list<W, N>&) { return spans<T, N / 2>(); };
     decltype(room_for_half(listed(exact()))) inside;
     T entered = -infinity<T>;
@@ -282,7 +282,7 @@ requires detail::lists_crossings<Shape, R> RAIO_FN constexpr auto inside_of(cons
     };
     if constexpr (detail::works_first<T>) {
         detail::keep_as_stored<T>(shape, ray);
-        detail::visit_recorded<T>(shape.template crossings<detail::quick_t<T, R>>(ray), exact, pass);
+        detail::visit_recorded<T>(shape.crossings(line_in<working_t<T>>(ray)), exact, pass);
     } else {
         for (const crossing<X>& c : listed(exact())) pass(c);
     }

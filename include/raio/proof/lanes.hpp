@@ -76,12 +76,14 @@ RAIO_FN void set_lane(vec3<P>& to, std::size_t lane, const vec3<scalar_t<P>>& fr
 }
 
 /// Takes `from` over into a lane of `to`, but for the side: whether it is the front is said by 1 and 0.
-template <has_lanes P, has_lanes N>
-RAIO_FN void set_lane(hit_record<P, N>& to, P& front, std::size_t lane,
-                      const hit_record<scalar_t<P>, scalar_t<N>>& from) {
-    to.t.set(lane, from.t), to.index.set(lane, from.index), front.set(lane, from.front_face ? 1 : 0);
-    set_lane(to.point, lane, from.point), set_lane(to.normal, lane, from.normal), set_lane(to.error, lane, from.error);
-    to.uv.x.set(lane, from.uv.x), to.uv.y.set(lane, from.uv.y);
+template <has_lanes P, record Record>
+RAIO_FN void set_lane(Record& to, P& front, std::size_t lane, const hit_record<scalar_t<P>>& from) {
+    to.t.set(lane, from.t), front.set(lane, from.front_face ? 1 : 0);
+    if constexpr (has_index<Record>) to.index.set(lane, from.index);
+    if constexpr (has_point<Record>) set_lane(to.point, lane, from.point);
+    if constexpr (has_normal<Record>) set_lane(to.normal, lane, from.normal);
+    if constexpr (has_error<Record>) set_lane(to.error, lane, from.error);
+    if constexpr (has_uv<Record>) to.uv.x.set(lane, from.uv.x), to.uv.y.set(lane, from.uv.y);
 }
 
 /// What is recorded in one lane.
@@ -122,14 +124,14 @@ template <has_lanes P, class Packed, class R>
 }
 
 /// `hit` of the plain shapes in these lanes.
-template <has_lanes P, class Packed, class R, class N>
+template <has_lanes P, class Packed, class R, record Record>
 [[gnu::noinline]] RAIO_FN mask_t<P> first_hit_in_lanes(const Packed& packed, const ray<R>& ray, const P& t_min,
-                                                       const P& t_max, hit_record<P, N>& rec,
+                                                       const P& t_max, Record& rec,
                                                        std::uint32_t which = every_lane<P>) {
     P front(0);
     const mask_t<P> met =
         ask_lanes<P>(which, packed, ray, [&](const auto& shape, const auto& own_ray, std::size_t lane) {
-            hit_record<scalar_t<P>, scalar_t<N>> own;
+            hit_record<scalar_t<P>> own;
             bool hit;
             if constexpr (requires { shape.hit(own_ray, t_min[lane], t_max[lane], own); }) {
                 hit = shape.hit(own_ray, t_min[lane], t_max[lane], own);
@@ -140,7 +142,9 @@ template <has_lanes P, class Packed, class R, class N>
             set_lane(rec, front, lane, own);
             return true;
         });
-    rec.front_face = some(every(met, front > P(0)), every(!met, rec.front_face));
+    if constexpr (has_front_face<Record>) {
+        rec.front_face = some(every(met, front > P(0)), every(!met, rec.front_face));
+    }
     return met;
 }
 

@@ -5,39 +5,9 @@
 
 namespace raio {
 
-/// A ray's line as a formula sees it: in numbers of W that carry their errors.
-template <class W, real R = W>
-struct line {
-    using number = W;
-
-    const raio::ray<R>& ray;
-
-    RAIO_FN constexpr given_vector<W> direction() const {
-        return {W(ray.direction.x), W(ray.direction.y), W(ray.direction.z)};
-    }
-
-    RAIO_FN constexpr given_vector<W> origin() const { return {W(ray.origin.x), W(ray.origin.y), W(ray.origin.z)}; }
-
-    /// From the point where t = 0 to p, and the other way.
-    template <real T>
-    RAIO_FN constexpr rounded_vector<W, 1> to(const vec3<T>& p) const {
-        return difference(p, ray.origin);
-    }
-    template <real T>
-    RAIO_FN constexpr rounded_vector<W, 1> from(const vec3<T>& p) const {
-        return difference(ray.origin, p);
-    }
-
-    /// From the point where t = 0 to the one half way from p to q.
-    template <real T>
-    RAIO_FN constexpr bounded_vector<W> to_middle(const vec3<T>& p, const vec3<T>& q) const {
-        const rounded_vector<W, 1> a = to(p), b = to(q);
-        const W half(0.5);
-        return {(a.x + b.x) * half, (a.y + b.y) * half, (a.z + b.z) * half,
-                detail::roundings<W>(1, size_of(a) + size_of(b))};
-    }
-
-    /// What the shape is made of, in the numbers of the line.
+/// What a shape is made of, in numbers of W that carry their errors.
+template <class W>
+struct shape_numbers {
     template <real T>
     RAIO_FN static constexpr given_number<W> given(const T& x) {
         return {W(x)};
@@ -57,10 +27,83 @@ struct line {
         return {difference_as<W>(y, x)};
     }
 
-private:
+protected:
     template <real A, real B>
     RAIO_FN static constexpr rounded_vector<W, 1> difference(const vec3<A>& a, const vec3<B>& b) {
         return {difference_as<W>(a.x, b.x), difference_as<W>(a.y, b.y), difference_as<W>(a.z, b.z)};
+    }
+};
+
+/// A ray's line as a formula sees it: in numbers of W that carry their errors. The ray is given, without an error.
+template <class W, real R = W>
+struct line : shape_numbers<W> {
+    using number = W;
+    static constexpr bool is_exact = true;
+
+    const raio::ray<R>& ray;
+
+    RAIO_FN constexpr explicit line(const raio::ray<R>& r) : ray(r) {}
+
+    RAIO_FN constexpr given_vector<W> direction() const {
+        return {W(ray.direction.x), W(ray.direction.y), W(ray.direction.z)};
+    }
+
+    RAIO_FN constexpr given_vector<W> origin() const { return {W(ray.origin.x), W(ray.origin.y), W(ray.origin.z)}; }
+
+    /// From the point where t = 0 to p, and the other way.
+    template <real T>
+    RAIO_FN constexpr rounded_vector<W, 1> to(const vec3<T>& p) const {
+        return line::difference(p, ray.origin);
+    }
+    template <real T>
+    RAIO_FN constexpr rounded_vector<W, 1> from(const vec3<T>& p) const {
+        return line::difference(ray.origin, p);
+    }
+
+    /// From the point where t = 0 to the one half way from p to q.
+    template <real T>
+    RAIO_FN constexpr bounded_vector<W> to_middle(const vec3<T>& p, const vec3<T>& q) const {
+        const rounded_vector<W, 1> a = to(p), b = to(q);
+        const W half(0.5);
+        return {(a.x + b.x) * half, (a.y + b.y) * half, (a.z + b.z) * half,
+                detail::roundings<W>(1, size_of(a) + size_of(b))};
+    }
+};
+
+/// The line of a ray, which has to live longer.
+template <class W, real R>
+RAIO_FN constexpr line<W, R> line_in(const ray<R>& ray) {
+    return line<W, R>(ray);
+}
+
+/// The line of a ray that was mapped: in numbers of W, each with a bound of its error.
+template <class W>
+struct mapped_line : shape_numbers<W> {
+    using number = W;
+    static constexpr bool is_exact = false;
+
+    bounded_vector<W> start, step;  ///< the point where t = 0, and how far it goes as t grows by 1
+
+    RAIO_FN constexpr mapped_line(const bounded_vector<W>& origin, const bounded_vector<W>& direction)
+        : start(origin), step(direction) {}
+
+    RAIO_FN constexpr const bounded_vector<W>& direction() const { return step; }
+    RAIO_FN constexpr const bounded_vector<W>& origin() const { return start; }
+
+    /// From the point where t = 0 to p, and the other way.
+    template <real T>
+    RAIO_FN constexpr bounded_vector<W> to(const vec3<T>& p) const {
+        return this->given(p) - start;
+    }
+    template <real T>
+    RAIO_FN constexpr bounded_vector<W> from(const vec3<T>& p) const {
+        return start - this->given(p);
+    }
+
+    /// From the point where t = 0 to the one half way from p to q.
+    template <real T>
+    RAIO_FN constexpr bounded_vector<W> to_middle(const vec3<T>& p, const vec3<T>& q) const {
+        return (to(p) + to(q)) * this->given(W(0.5));
     }
 };
 

@@ -24,13 +24,14 @@ struct line_part {
     vec3<E> error{E(0)};  ///< how far `from` may be off
     W middle{0}, half{0};
     W reach{1};  ///< all that counts lies between x = -reach and reach
+    E turn{0};   ///< how far each component of `along` may be off, besides its rounding
 
     /// Is there one?
     RAIO_FN constexpr verdict<bool> is_there() const { return {exists && certain, exists || !certain, exists}; }
 
     /// One coordinate of the point, as a polynomial in x.
     RAIO_FN constexpr polynomial<W, 1> coordinate(glm::length_t axis) const {
-        return {{from[axis], along[axis]}, {error[axis], E(unit_roundoff<W>) * abs(E(along[axis]))}};
+        return {{from[axis], along[axis]}, {error[axis], E(unit_roundoff<W>) * abs(E(along[axis])) + turn}};
     }
 
     RAIO_FN constexpr polynomial_vector<W, 1> point() const { return {coordinate(0), coordinate(1), coordinate(2)}; }
@@ -39,7 +40,7 @@ struct line_part {
     RAIO_FN constexpr bounded_number<W> coordinate_where_touched(const polynomial_root<W>& root,
                                                                  glm::length_t axis) const {
         const E rounding = E(0x1p10 * unit_roundoff<W>) * abs(E(along[axis]));
-        return {from[axis] + along[axis] * root.t, error[axis] + rounding};
+        return {from[axis] + along[axis] * root.t, error[axis] + rounding + E(reach) * turn};
     }
 
     template <class Wanted>
@@ -55,20 +56,27 @@ struct line_part {
 
 /// The part of a line about `middle` on which something may be met that has a size, if it passes that. So far away that
 /// the place cannot be told from others by that size, nobody knows.
-template <class W, class R, real T>
-RAIO_FN constexpr line_part<W> part_of(const line<W, R>& line, const verdict<bool>& passes, const vec3<T>& base,
+template <class W, class Line, real T>
+RAIO_FN constexpr line_part<W> part_of(const Line& line, const verdict<bool>& passes, const vec3<T>& base,
                                        const given_number<W>& size, const given_number<W>& middle,
                                        const given_number<W>& half, const W& reach) {
     using E = bound_t<W>;
+    const auto origin = line.origin();
+    const auto direction = line.direction();
     const auto to_origin = line.from(base);
-    const auto step = line.direction() * middle;
-    const auto along = line.direction() * half;
+    const auto step = direction * middle;
+    const auto along = direction * half;
     bounded_vector<W> from{to_origin.x + step.x, to_origin.y + step.y, to_origin.z + step.z, E(0)};
-    // Each component is off by a few roundings of what it is made of.
-    const vec3<E> sizes = abs(vec3<E>(vec3<W>(line.ray.origin))) + abs(vec3<E>(vec3<W>(base))) +
+    // Each component is off by a few roundings of what it is made of, and by what the ray is.
+    const vec3<E> sizes = abs(vec3<E>(E(origin.x), E(origin.y), E(origin.z))) + abs(vec3<E>(vec3<W>(base))) +
                           abs(vec3<E>(E(step.x), E(step.y), E(step.z)));
-    const vec3<E> error = sizes * E(4 * unit_roundoff<W>);
-    from.error = norm1(error);
+    vec3<E> error = sizes * E(4 * unit_roundoff<W>);
+    E turn(0);
+    if constexpr (!Line::is_exact) {
+        error += vec3<E>(origin.error + direction.error * size_of(middle));
+        turn = direction.error * size_of(half);
+    }
+    from.error = norm1(error) + E(3) * E(reach) * turn;
     const verdict<bool> found = every(passes, is_known_within(from, size));
     return {found.yes,
             is_settled(found),
@@ -77,7 +85,8 @@ RAIO_FN constexpr line_part<W> part_of(const line<W, R>& line, const verdict<boo
             error,
             middle.value,
             half.value,
-            reach};
+            reach,
+            turn};
 }
 
 }  // namespace raio

@@ -2,27 +2,23 @@
 
 #include <raio/hit_record.hpp>
 #include <raio/proof/crossing.hpp>
+#include <raio/proof/mapped_ray.hpp>
 
 /// \file
 /// What is recorded of a crossing.
+///
+/// A shape has `surface(at)`, where `at` is the point in which a ray meets it, a `surface_point`. That says where it
+/// is, and takes what the shape says of it: how much the surface curves there, its normal, its uv. Of all that, only
+/// what the record has room for is computed.
 
 namespace raio {
 
 namespace detail {
 
 // Out of line, as what is rare.
-
 template <real T>
 [[gnu::noinline]] RAIO_FN constexpr vec3<T> put_within_range(vec3<T> p) {
     return within_range(p);
-}
-
-template <real R, real T, real N>
-[[gnu::noinline]] RAIO_FN constexpr hit_record<T, N> put_against(const ray<R>& ray, hit_record<T, N> rec) {
-    rec.normal = select(is_finite(norm1(rec.normal)), rec.normal, -normalize(vec3<N>(ray.direction)));
-    const auto number_or_0 = [](const T& x) { return select(x == x, x, T(0)); };
-    rec.uv = {number_or_0(rec.uv.x), number_or_0(rec.uv.y)};
-    return rec;
 }
 
 /// Has W no more digits than are recorded, and is there a precision that has?
@@ -37,17 +33,11 @@ RAIO_FN constexpr crossing<X> in_more_digits(const crossing<W>& c) {
     return {c.exists, c.certain, wider(c.t), bound_t<X>(c.error), c.entering, c.face, wider(c.u), wider(c.v), c.shared};
 }
 
-/// What the shape records of a crossing. Where its numbers are so uneven that no normal is left of them, that is
-/// against the ray; and what is left of uv is 0.
-template <class Shape, real R, class Crossing, real T, real N>
-RAIO_FN constexpr void record(const Shape& shape, const ray<R>& ray, const Crossing& crossing, hit_record<T, N>& rec) {
-    using W = typename Crossing::number;
-    if constexpr (unit_roundoff<N> < unit_roundoff<W>) {  // what is mapped on, as unevenly as may be
-        shape.surface(ray, in_more_digits<exact_t<T>>(crossing), rec);
-    } else {
-        shape.surface(ray, crossing, rec);
-    }
-    if (!all(is_finite(norm1(rec.normal)))) rec = put_against(ray, rec);
+/// What the error of t counts for at least: a 64th of its rounding. So it is recorded alike by those who know more of
+/// it and those who know less.
+template <real T>
+RAIO_FN constexpr T least_recorded_error(const T& t) {
+    return abs(t) * T(unit_roundoff<T> / 64);
 }
 
 /// A bound of a point's error, of which what is beyond the largest number, or no number, counts as that.
@@ -57,94 +47,287 @@ RAIO_FN constexpr vec3<T> finite_error(const vec3<T>& error) {
     return {min(most, error.x), min(most, error.y), min(most, error.z)};
 }
 
-/// What the error of t counts for at least: a 64th of its rounding. So it is recorded alike by those who know more of
-/// it and those who know less.
+/// Half of what spawned rays need to be certain, in double_double, that they leave a surface of that size.
 template <real T>
-RAIO_FN constexpr T least_recorded_error(const T& t) {
-    return abs(t) * T(unit_roundoff<T> / 64);
+RAIO_FN constexpr T least_apart(const T& size) {
+    return size * T(0x1p-72);
 }
 
 }  // namespace detail
 
-/// Records what every surface records alike: t, the point, how far that may be off, and the side.
-/// \param bend  the smallest radius at which the surface curves; 0 if it is flat
-template <real T, real N, real R, class W>
-RAIO_FN constexpr void record_point(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec, T bend = T(0)) {
-    rec.t = T(c.t) + T(0);  // never -0
-    rec.point = vec3<T>(sum_as<W>(ray.origin, product_as<W>(ray.direction, c.t)));
-    if constexpr (last_precision<W>) {  // bounds without a thickness, as a single point's, expect no rounding of 0
-        const vec3<T> rounding = abs(vec3<T>(ray.origin)) * T(8 * unit_roundoff<W>);
-        const auto not_0 = [](const T& p, const T& off) { return select(abs(p) <= off, T(0), p); };
-        rec.point = {not_0(rec.point.x, rounding.x), not_0(rec.point.y, rounding.y), not_0(rec.point.z, rounding.z)};
-    }
-    const T reach = norm1(rec.point);
-    if (!all(is_finite(reach))) rec.point = detail::put_within_range(rec.point);
-
-    // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and the
-    // rounding of the point to T. The smallest normal number stands for all that underflows, `up`
-    // for the roundings of this bound: less than eight.
-    constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>, up = 1 + 8 * in_t;
-    const T least(least_normal<T>), most(std::numeric_limits<scalar_t<T>>::max());
-    const T of_t = min(max(T(c.error), detail::least_recorded_error(rec.t)) + least, most);
-    // A ray that leaves at the angle of the normal's own rounding must not meet a curved surface again, and every
-    // crossing of a point that is off by this much has to be certain in double_double.
-    const T floor = bend * T(4 * in_t * in_t) + (bend + reach) * T(0x1p-72) + least;
-    vec3<T> error = vec3<T>(abs(ray.direction) * R(of_t)) + vec3<T>(abs(ray.origin) * R(in_w));
-    error += abs(rec.point) * T(in_t + in_w);
-    rec.error = detail::finite_error(error * T(up) + vec3<T>(floor));
-    rec.index = index_t<T>{};
-    rec.front_face = c.entering;
-}
-
-/// Says of a recorded point that it may be off by that much more.
-template <real T, real N>
-RAIO_FN constexpr void add_error(hit_record<T, N>& rec, const T& more) {
-    rec.error = detail::finite_error(rec.error + vec3<T>(more));
-}
-
-/// Keeps a recorded point within the bounds: where little more is known of t than its own digits, as of a ray that
-/// grazes a tip or comes from far away, it may have come to lie beyond them.
-/// \param bounds  answers with them, to be asked only then
-template <real R, class W, real T, real N, class Bounds>
-RAIO_FN constexpr void keep_in_bounds(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec, Bounds bounds) {
+/// The point in which a ray meets a surface. It says where that is, and records what it is told of it.
+/// \tparam W  the precision that the crossing was found in
+/// \tparam T  the shape's
+template <class W, real T, class Ray, record Record>
+class surface_point {
     using E = bound_t<W>;
-    // `padded` has room for the rounding of the point to T, and for a 128th more.
-    const E room = norm1(vec3<E>(vec3<W>(rec.point))) * E(0x1p-7 * unit_roundoff<T>);
-    const E off = norm1(vec3<E>(vec3<W>(ray.direction))) * c.error +
-                  norm1(vec3<E>(vec3<W>(ray.origin))) * E(8 * unit_roundoff<W>);
-    const mask_t<T> unknown = !(off <= room);
-    if (any(unknown)) rec.point = select(unknown, nearest_in(bounds(), rec.point), rec.point);
+    using Q = working_t<T>;  // of normals
+
+public:
+    using number = W;
+
+    RAIO_FN constexpr surface_point(const Ray& ray, const raio::crossing<W>& c) : ray_(ray), crossing_(c) {}
+
+    /// What the shape's formula has found.
+    RAIO_FN constexpr const raio::crossing<W>& crossing() const { return crossing_; }
+    RAIO_FN constexpr const mask_t<W>& entering() const { return crossing_.entering; }
+    RAIO_FN constexpr const index_t<W>& face() const { return crossing_.face; }
+
+    /// From p to the point.
+    template <real V>
+    RAIO_FN constexpr vec3<W> from(const vec3<V>& p) const {
+        return seen_from(p, ray_, crossing_.t);
+    }
+    RAIO_FN constexpr vec3<W> position() const { return origin_as<W>(ray_) + direction_as<W>(ray_) * crossing_.t; }
+    RAIO_FN constexpr vec3<W> direction() const { return direction_as<W>(ray_); }
+    /// The ray's line, as the formula has seen it.
+    RAIO_FN constexpr auto line() const { return line_in<W>(ray_); }
+    /// How far along the ray the exact point may be, as a length.
+    RAIO_FN constexpr E blur() const { return norm1(vec3<E>(direction())) * crossing_.error; }
+
+    /// The point, once it has been recorded, as the shape sees it.
+    RAIO_FN constexpr const vec3<T>& point() const {
+        if constexpr (is_mapped) {
+            return own_point_;
+        } else {
+            return point_;
+        }
+    }
+
+    /// Records t, the point, how far that may be off, and the side.
+    /// \param bend  the smallest radius at which the surface curves; 0 if it is flat
+    RAIO_FN constexpr void record_point(T bend = T(0)) {
+        const auto& [origin, direction] = unmapped(ray_);
+        point_ = vec3<T>(sum_as<W>(origin, product_as<W>(direction, crossing_.t)));
+        if constexpr (last_precision<W>) {  // bounds without a thickness, as a single point's, expect no rounding of 0
+            const vec3<T> rounding = abs(vec3<T>(origin)) * T(8 * unit_roundoff<W>);
+            const auto not_0 = [](const T& p, const T& off) { return select(abs(p) <= off, T(0), p); };
+            point_ = {not_0(point_.x, rounding.x), not_0(point_.y, rounding.y), not_0(point_.z, rounding.z)};
+        }
+        const T reach = norm1(point_);
+        if (!all(is_finite(reach))) point_ = detail::put_within_range(point_);
+        if constexpr (is_mapped) {
+            own_point_ = vec3<T>(position());
+            bend = ray_.stretched(bend + norm1(own_point_));
+        }
+
+        // Three errors add up: that of t, that of the sum above in W, where |direction t| <= |origin| + |point|, and
+        // the rounding of the point to T. The smallest normal number stands for all that underflows, `up` for the
+        // roundings of this bound: less than eight.
+        constexpr double in_w = 8 * unit_roundoff<W>, in_t = unit_roundoff<T>, up = 1 + 8 * in_t;
+        const T least(least_normal<T>), most(std::numeric_limits<scalar_t<T>>::max());
+        const T of_t = min(max(T(crossing_.error), detail::least_recorded_error(t())) + least, most);
+        // A ray that leaves at the angle of the normal's own rounding must not meet a curved surface again, and every
+        // crossing of a point that is off by this much has to be certain in double_double.
+        const T floor = bend * T(4 * in_t * in_t) + detail::least_apart(bend + reach) + least;
+        using R = std::remove_cvref_t<decltype(origin.x)>;
+        vec3<T> error = vec3<T>(abs(direction) * R(of_t)) + vec3<T>(abs(origin) * R(in_w));
+        error += abs(point_) * T(in_t + in_w);
+        error_ = detail::finite_error(error * T(up) + vec3<T>(floor));
+    }
+
+    /// Says that the point may be off by that much more.
+    RAIO_FN constexpr void add_error(T more) {
+        if constexpr (is_mapped) more = ray_.stretched(more);
+        error_ = detail::finite_error(error_ + vec3<T>(more));
+    }
+
+    /// Keeps the point within the bounds of the shape: where little more is known of t than its own digits, as of a ray
+    /// that grazes a tip or comes from far away, it may have come to lie beyond them.
+    /// \param bounds  answers with them, to be asked only then
+    template <class Bounds>
+    RAIO_FN constexpr void keep_in(Bounds bounds) {
+        const auto& [origin, direction] = unmapped(ray_);
+        mask_t<T> unknown(W(0) == W(0));
+        // Where T has no fewer digits than t was found with, any point may lie some places beyond. Bounds of what is
+        // mapped have room for that.
+        constexpr bool any_may = detail::lacks_digits<T, working_t<T>>;
+        if constexpr (is_mapped || !any_may) {
+            // `padded` has room for the rounding of the point to T, and for a 128th more.
+            const E room = norm1(vec3<E>(vec3<W>(point_))) * E((any_may ? 32 : 0x1p-7) * unit_roundoff<T>);
+            const E off = norm1(vec3<E>(vec3<W>(direction))) * crossing_.error +
+                          norm1(vec3<E>(vec3<W>(origin))) * E(8 * unit_roundoff<W>);
+            unknown = !(off <= room);
+            if (none(unknown)) return;
+        }
+        if constexpr (is_mapped) {
+            const vec3<T> kept = nearest_in(bounds(), own_point_);
+            if (kept == own_point_) return;
+            point_ = within_range(vec3<T>(ray_.point(vec3<Q>(kept))));
+            add_error(norm1(vec3<T>(kept - own_point_)) + norm1(kept) * T(8 * unit_roundoff<Q>));
+            own_point_ = kept;
+        } else {
+            point_ = select(unknown, nearest_in(bounds(), point_), point_);
+        }
+    }
+    /// The same of a point that lies between corners, which may be seen edge-on.
+    RAIO_FN constexpr void keep_between(const aabb<T>& corners) {
+        if constexpr (is_mapped) {
+            own_point_ = nearest_in(corners, own_point_);
+        } else {
+            point_ = nearest_in(corners, point_);
+        }
+    }
+
+    /// Puts the point onto its plane if that runs across an axis, as bounds without a thickness expect it: one
+    /// coordinate is known then, that of any other point of the plane.
+    RAIO_FN constexpr void put_onto_plane(const vec3<T>& normal, const vec3<T>& on_plane) {
+        if constexpr (is_mapped) return;
+        const auto put = [](const T& n_j, const T& n_k, const T& known, T& p) {
+            p = select(every(n_j == T(0), n_k == T(0)), known, p);
+        };
+        put(normal.y, normal.z, on_plane.x, point_.x);
+        put(normal.z, normal.x, on_plane.y, point_.y);
+        put(normal.x, normal.y, on_plane.z, point_.z);
+    }
+
+    /// Puts the point onto a face of a box, of which one coordinate is known without any error, and records the normal.
+    /// \param axis  that the face is across; beyond 2 the point stays where it is, and the normal is 0
+    RAIO_FN constexpr void put_on_face(const aabb<T>& box, const index_t<W>& axis) {
+        const mask_t<T> enters = entering();
+        if constexpr (is_mapped) {
+            if (axis > 2) return;
+            const auto i = static_cast<glm::length_t>(axis);
+            const bool at_low = enters == (direction()[i] > W(0));
+            vec3<Q> outward(Q(0));
+            outward[i] = Q(at_low ? -1 : 1);
+            own_point_[i] = at_low ? box.min[i] : box.max[i];
+            return record_normal(outward);
+        } else {
+            using R = std::remove_cvref_t<decltype(ray_.direction.x)>;
+            const auto put = [&](mask_t<T> on, const R& d, T low, T high, T& p, T& error, T& normal) {
+                const mask_t<T> forward = d > R(0), at_low = enters == forward;
+                p = choose(on, choose(at_low, low, high), p);
+                error = choose(on, T(0), error);
+                normal = choose(on, choose(forward, T(-1), T(1)), T(0));
+            };
+            vec3<R> d = ray_.direction;
+            put(axis == index_t<W>(0), d.x, box.min.x, box.max.x, point_.x, error_.x, normal_.x);
+            put(axis == index_t<W>(1), d.y, box.min.y, box.max.y, point_.y, error_.y, normal_.y);
+            put(axis == index_t<W>(2), d.z, box.min.z, box.max.z, point_.z, error_.z, normal_.z);
+        }
+    }
+
+    /// Records the normal.
+    /// \param outward  across the surface, of any length
+    template <real V>
+    RAIO_FN constexpr void record_normal(const vec3<V>& outward) {
+        if constexpr (has_normal<Record>) {
+            vec3<Q> unit = normalize_from<T>(seen(vec3<Q>(outward)));
+            normal_ = vec3<T>(unit) * choose(mask_t<T>(entering()), T(1), T(-1));
+        }
+    }
+
+    /// Records the normal along the gradient of what is positive outside. Where it has none, at a tip or where sheets
+    /// cross, or none but its rounding, the surface is seen face on.
+    RAIO_FN constexpr void record_gradient(const vec3<W>& gradient) {
+        if constexpr (has_normal<Record>) {
+            vec3<Q> along(normalize(vec3<Q>(direction()))), outward(scaled_into_range<Q>(vec3<Q>(gradient)));
+            Q steep = length(outward);
+            vec3<Q> normal = outward * quotient(select(mask_t<Q>(entering()), Q(1), Q(-1)), steep, Q(0));
+            const mask_t<Q> against = every(steep > Q(0), dot(normal, along) <= Q(unit_roundoff<T>));
+            if constexpr (is_mapped) {
+                normal_ = vec3<T>(against ? normalize(seen(normal)) : against_ray());
+            } else {
+                normal_ = vec3<T>(select(against, normal, -along));
+            }
+        }
+    }
+
+    /// The same in some of the lanes.
+    RAIO_FN constexpr void record_gradient(const vec3<W>& gradient, const mask_t<T>& where) {
+        if constexpr (has_normal<Record>) {
+            vec3<T> other = normal_;
+            record_gradient(gradient);
+            normal_ = select(where, normal_, other);
+        }
+    }
+
+    /// Records a normal that is unit and faces the ray already.
+    RAIO_FN constexpr void record_facing(const vec3<T>& normal) { normal_ = normal; }
+
+    /// Records uv.
+    /// \param find  answers with it: angles are not asked for in vain
+    template <class Find>
+    RAIO_FN constexpr void record_uv(Find find) {
+        if constexpr (has_uv<Record>) uv_ = find();
+    }
+
+    RAIO_FN constexpr void fill(Record& rec) const {
+        detail::put(rec.t, t());
+        if constexpr (has_point<Record>) detail::put(rec.point, point_);
+        if constexpr (has_error<Record>) detail::put(rec.error, error_);
+        if constexpr (has_index<Record>) detail::put(rec.index, index_t<T>{});
+        if constexpr (has_front_face<Record>) detail::put(rec.front_face, entering());
+        if constexpr (has_normal<Record>) detail::put(rec.normal, normal_);
+        if constexpr (has_uv<Record>) detail::put(rec.uv, uv_);
+        if constexpr (has_normal<Record>) {
+            if (!all(is_finite(norm1(normal_)))) [[unlikely]]
+                put_against(unmapped(ray_).direction, rec);
+        }
+    }
+
+private:
+    static constexpr bool is_mapped = detail::is_mapped<Ray>;
+    struct nothing {};
+
+    /// A vector across the surface, as it is seen.
+    RAIO_FN constexpr vec3<Q> seen(const vec3<Q>& outward) const {
+        if constexpr (is_mapped) {
+            return ray_.across(scaled_into_range<T>(outward));
+        } else {
+            return outward;
+        }
+    }
+    RAIO_FN constexpr vec3<Q> against_ray() const { return -normalize(vec3<Q>(vec3<W>(unmapped(ray_).direction))); }
+
+    RAIO_FN constexpr T t() const { return T(crossing_.t) + T(0); }  // never -0
+
+    /// Where the shape's numbers are so uneven that no normal is left of them, it is against the ray; and what is left
+    /// of uv is 0.
+    template <class Direction>
+    [[gnu::noinline]] RAIO_FN static constexpr void put_against(const Direction& direction, Record& rec) {
+        const mask_t<T> known = is_finite(norm1(vec3<T>(rec.normal)));
+        detail::put(rec.normal, select(known, vec3<T>(rec.normal), vec3<T>(-normalize(vec3<Q>(vec3<W>(direction))))));
+        if constexpr (has_uv<Record>) {
+            const auto number_or_0 = [](const T& x) { return select(x == x, x, T(0)); };
+            detail::put(rec.uv, vec2<T>(number_or_0(T(rec.uv.x)), number_or_0(T(rec.uv.y))));
+        }
+    }
+
+    const Ray& ray_;
+    const raio::crossing<W>& crossing_;
+    vec3<T> point_, error_, normal_;
+    [[no_unique_address]] std::conditional_t<is_mapped, vec3<T>, nothing> own_point_;  ///< before all maps
+    vec2<T> uv_;
+};
+
+namespace detail {
+
+/// A shape that asks for more digits than T has, close to a tip.
+template <class Shape, class At>
+concept has_tips = requires(const Shape shape, const At at) {
+    shape.is_close_to_tip(at);
+};
+
+/// What the shape records of a crossing.
+template <class Shape, class Ray, class W, record Record>
+RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const crossing<W>& crossing, Record& rec) {
+    using T = typename Shape::number;
+    using point = surface_point<W, T, Ray, Record>;
+    point at(ray, crossing);
+    shape.surface(at);
+    at.fill(rec);
+    if constexpr (lacks_digits<T, W> && has_tips<Shape, point>) {
+        const mask_t<T> close(shape.is_close_to_tip(at));
+        if (any(close)) [[unlikely]] {
+            Record closer;
+            record_crossing(shape, ray, in_more_digits<exact_t<T>>(crossing), closer);
+            assign(close, rec, closer);
+        }
+    }
 }
 
-/// The same where T has no fewer digits than the precision that t is tried in first, which may put any point some
-/// places beyond the surface.
-template <real T, real N, class Bounds>
-RAIO_FN constexpr void keep_unrounded_in_bounds([[maybe_unused]] hit_record<T, N>& rec,
-                                                [[maybe_unused]] Bounds bounds) {
-    if constexpr (detail::lacks_digits<T, working_t<T>>) rec.point = nearest_in(bounds(), rec.point);
-}
-
-/// Records a point that lies between corners: seen edge-on or from far away, the computed one may lie beyond them.
-template <class W, real R, real T, real N>
-RAIO_FN constexpr void record_point_between(const aabb<T>& corners, const ray<R>& ray, const crossing<W>& c,
-                                            hit_record<T, N>& rec, T bend = T(0)) {
-    record_point(ray, c, rec, bend);
-    rec.point = nearest_in(corners, rec.point);
-}
-
-/// Records a point of the surface and the normal along the gradient of f, which points outwards. Where f has none, at a
-/// tip or where sheets cross, or none but its rounding, the surface is seen face on.
-/// \param bend  as for `record_point`
-template <real T, real N, real R, class W>
-RAIO_FN constexpr void record_gradient(const ray<R>& ray, const crossing<W>& c, const vec3<W>& gradient, T bend,
-                                       hit_record<T, N>& rec) {
-    using Q = working_t<N>;
-    record_point(ray, c, rec, bend);
-    vec3<Q> direction(normalize(vec3<Q>(vec3<W>(ray.direction)))), outward(scaled_into_range<Q>(vec3<Q>(gradient)));
-    Q steep = length(outward);
-    vec3<Q> normal = outward * quotient(select(mask_t<Q>(c.entering), Q(1), Q(-1)), steep, Q(0));
-    const mask_t<Q> against = every(steep > Q(0), dot(normal, direction) <= Q(unit_roundoff<T>));
-    rec.normal = vec3<N>(select(against, normal, -direction));
-}
+}  // namespace detail
 
 }  // namespace raio

@@ -12,8 +12,7 @@
 /// For float and double a shape's formula is tried in strict_double, which states its errors. What is beyond doubt then
 /// is the answer; for the rest the formula is evaluated again in double_double (Ziv, ACM TOMS 17(3), 1991, rounds
 /// elementary functions like this; Shewchuk, 1997, the signs of determinants). So a ray that just misses misses. A few
-/// rays of a thousand need the closer look. The first try with a ray of more digits, one that was mapped, is in
-/// rounded_double.
+/// rays of a thousand need the closer look.
 ///
 /// Of float, t is the exact one, correctly rounded: the last bit may be in doubt as well. Of double, t is what the
 /// formula finds in strict_double, as long as it is known which crossings there are and on which side of the origin
@@ -27,10 +26,6 @@ namespace detail {
 /// Is there a quicker precision?
 template <real T>
 inline constexpr bool works_first = !std::same_as<working_t<T>, exact_t<T>>;
-
-/// The quicker precision, for shapes of T and rays of R, whose numbers it may have to round.
-template <real T, real R>
-using quick_t = std::conditional_t<unit_roundoff<working_t<T>> <= unit_roundoff<R>, working_t<T>, rounded_double>;
 
 /// The crossings in order along the line, whether they exist or not.
 template <class W>
@@ -83,10 +78,10 @@ RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit vis
 
 /// The same question, if the quick crossing has not answered it: the exact formula decides. Out of line, and without
 /// what is known already: where this is rare, it must not cost the common case its registers.
-template <real T, class Shape, real R, class Then>
-[[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
+template <real T, class Shape, class Ray, class Then>
+[[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const Ray& ray, T t_min, T t_max,
                                                             Then then) {
-    using W = quick_t<T, R>;
+    using W = working_t<T>;
     using X = exact_t<T>;
     if constexpr (works_first<T> && keeps_all_digits<T>) {
         bool met = false;
@@ -116,12 +111,12 @@ template <real T, class Shape, real R, class Then>
 }
 
 /// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
-template <question Asked, real T, class Shape, real R, class Then>
-RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Then then) {
+template <question Asked, real T, class Shape, class Ray, class Then>
+RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T>) {
         keep_as_stored<T>(shape, ray);
         auto [first, known] =
-            settled_in_window<Asked>(crossings_for<quick_t<T, R>, Asked>(shape, ray, t_min, t_max), t_min, t_max);
+            settled_in_window<Asked>(crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max), t_min, t_max);
         if (known) [[likely]]
             return then(first);
     }
@@ -130,28 +125,27 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const ray<R>& ray, T
 
 }  // namespace detail
 
-/// `occluded` of every shape that has `crossings<W>(ray)`, a crossing or a chord: is there one with t in [t_min,
+/// `occluded` of every shape that has `crossings(line)`, a crossing or a chord: is there one with t in [t_min,
 /// t_max]?
-template <real T, class Shape, real R>
-RAIO_FLATTEN RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
+template <real T, class Shape, class Ray>
+RAIO_FLATTEN RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const Ray& ray, T t_min, T t_max) {
     return detail::settle<detail::question::whether>(shape, ray, t_min, t_max,
                                                      [](const auto& crossing) { return crossing.exists; });
 }
 
-/// `hit` of every shape that has also `surface(ray, crossing, rec)`: the same crossing, and what to record of it.
+/// `hit` of every shape that has also `surface(at)`: the same crossing, and what to record of it.
 /// \tparam Asked  `only_where` if there is one beyond doubt
-template <detail::question Asked = detail::question::where, real T, class Shape, real R, real N>
-RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
-                                                   hit_record<T, N>& rec) {
+template <detail::question Asked = detail::question::where, real T, class Shape, class Ray, record Record>
+RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
     return detail::settle<Asked>(shape, ray, t_min, t_max, [&](const auto& crossing) {
-        if (crossing.exists) detail::record(shape, ray, crossing, rec);
+        if (crossing.exists) detail::record_crossing(shape, ray, crossing, rec);
         return crossing.exists;
     });
 }
 
 /// Where the line is inside a convex solid; empty where it misses. Both ends are what a hit records for t.
-template <class Shape, real R>
-RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
+template <class Shape, class Ray>
+RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
     using T = typename Shape::number;
     const auto between_ends = [](const auto& near, const auto& far) {
         const mask_t<T> meets = some(near.exists, far.exists);  // an end out of T's range is still an end
@@ -159,7 +153,7 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
     };
     if constexpr (detail::works_first<T>) {
         detail::keep_as_stored<T>(shape, ray);
-        auto quick = shape.template crossings<detail::quick_t<T, R>>(ray);
+        auto quick = shape.crossings(line_in<working_t<T>>(ray));
         auto& [near, far] = quick;
         const bool missed = every(!near.exists, !far.exists, near.certain, far.certain);
         const auto is_known = [](const auto& c) {
@@ -169,16 +163,16 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const ray<R>& ray) {
         const bool known = is_known(near);
         if (missed || every(known, is_known(far))) [[likely]]
             return between_ends(near, far);
-        const auto exact = shape.template crossings<exact_t<T>>(ray);
+        const auto exact = shape.crossings(line_in<exact_t<T>>(ray));
         if constexpr (detail::keeps_all_digits<T>) {  // the same that `visit_recorded` finds
             const bool found = exact.far.exists || (!known && exact.near.exists);
-            const crossing<detail::quick_t<T, R>>& open = known ? far : near;
+            const crossing<working_t<T>>& open = known ? far : near;
             if (!found && open.exists && open.certain) return between_ends(near, far);
             if (known) return between_ends(near, exact.far);
         }
         return between_ends(exact.near, exact.far);
     } else {
-        const auto exact = shape.template crossings<exact_t<T>>(ray);
+        const auto exact = shape.crossings(line_in<exact_t<T>>(ray));
         return between_ends(exact.near, exact.far);
     }
 }

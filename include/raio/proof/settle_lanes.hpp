@@ -144,7 +144,7 @@ using first_t = std::conditional_t<keeps_all_digits<T>, working_t<T>, T>;
 /// Is the formula of the shape one for many lanes at once?
 template <class Shape, class T>
 concept sifts = requires(const Shape shape, const ray<T> ray, const T t) {
-    sift(shape.template crossings<first_t<T>>(ray), t, t);
+    sift(shape.crossings(line_in<first_t<T>>(ray)), t, t);
 };
 
 /// Crossings of packs, with ends of the window that are numbers.
@@ -169,8 +169,8 @@ RAIO_FN sifted<T> sieve(const Shape& shape, const ray<T>& ray, const T& t_min, c
 template <class W, class Shape, class T>
 RAIO_FN auto crossings_again(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max,
                              const sifted<T>& found) {
-    if constexpr (requires { shape.template crossings<W>(ray).second; }) {
-        return shape.template crossings<W>(ray, known_chord<mask_t<T>>{found.in_first});
+    if constexpr (requires { shape.crossings(line_in<W>(ray)).second; }) {
+        return shape.crossings(line_in<W>(ray), known_chord<mask_t<T>>{found.in_first});
     } else {
         return crossings_for<W, question::only_where>(shape, ray, t_min, t_max);
     }
@@ -205,9 +205,9 @@ namespace detail {
 
 /// Records what packs know of the lanes' first crossings. Answers which lanes have one, and leaves in `left` those that
 /// are open.
-template <question Asked, class Shape, class T, class N>
-RAIO_FN mask_t<T> record_known(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max,
-                               hit_record<T, N>& rec, std::uint32_t& left) {
+template <question Asked, class Shape, class T, record Record>
+RAIO_FN mask_t<T> record_known(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max, Record& rec,
+                               std::uint32_t& left) {
     const T from = within_numbers(t_min), to = within_numbers(t_max);
     if constexpr (keeps_all_digits<T>) {
         const auto found = first_crossings<Asked>(shape, ray, from, to);
@@ -217,7 +217,7 @@ RAIO_FN mask_t<T> record_known(const Shape& shape, const ray<T>& ray, const T& t
         const mask_t<T> met = every(mask_t<T>(known), mask_t<T>(first.exists));
         left = bits(!mask_t<T>(known)) & every_lane<T>;
         if (any(met)) [[likely]]
-            record(shape, ray, first, rec);
+            record_crossing(shape, ray, first, rec);
         return met;
     } else {
         using W = working_t<T>;
@@ -230,7 +230,7 @@ RAIO_FN mask_t<T> record_known(const Shape& shape, const ray<T>& ray, const T& t
         auto first = retrieved<Asked>(found, crossings_again<W>(shape, ray, t_min, t_max, found), t_min);
         const mask_t<T> met = first.exists;
         left &= ~bits(met);
-        record(shape, ray, first, rec);
+        record_crossing(shape, ray, first, rec);
         return met;
     }
 }
@@ -239,10 +239,9 @@ RAIO_FN mask_t<T> record_known(const Shape& shape, const ray<T>& ray, const T& t
 
 /// `hit` of every shape of packs.
 /// \tparam Asked  `only_where` if there is a crossing beyond doubt in every lane
-template <detail::question Asked = detail::question::where, detail::has_lanes T, class Shape, real R, real N>
-RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max,
-                                         hit_record<T, N>& rec) {
-    hit_record<T, N> candidate;
+template <detail::question Asked = detail::question::where, detail::has_lanes T, class Shape, real R, record Record>
+RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Record& rec) {
+    Record candidate;
     mask_t<T> met(false);
     std::uint32_t left = detail::every_lane<T>;  // who has not been answered
     if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
@@ -250,7 +249,7 @@ RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, 
         if (left == 0 && none(met)) return false;
     }
     if (left != 0) [[unlikely]] {
-        hit_record<T, N> of_lanes = candidate;
+        Record of_lanes = candidate;
         met = some(met, detail::first_hit_in_lanes(shape, ray, t_min, t_max, of_lanes, left));
         candidate = of_lanes;
     }
@@ -260,7 +259,7 @@ RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, 
 
 /// Where the lines of packs are inside a convex solid. (There is room for one span in each lane.)
 template <class Shape, detail::has_lanes R>
-requires requires(const Shape shape, const ray<R> ray) { shape.template crossings<R>(ray).near; }
+requires requires(const Shape shape, const ray<R> ray) { shape.crossings(line_in<R>(ray)).near; }
 RAIO_FN auto inside_of(const Shape& shape, const ray<R>& ray) { return detail::spans_in_lanes(shape, ray); }
 
 }  // namespace raio

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <raio/proof/chord.hpp>
+#include <raio/proof/mapped_ray.hpp>
 
 /// \file
 /// Which crossings count: those with t in the closed window [t_min, t_max] that is asked for.
@@ -44,9 +45,9 @@ RAIO_FN constexpr crossing<W> first_in_window(const chord_pair<W>& c, T t_min, T
 enum class question { whether, where, only_where };
 
 /// A shape that has less to do for a crossing that is known to exist, and to be wanted.
-template <class Shape, class W, class R>
-concept finds_known_crossing = requires(const Shape& shape, const ray<R>& ray) {
-    { shape.template crossings<W>(ray, known_crossing{}) } -> std::same_as<crossing<W>>;
+template <class Shape, class W, class Ray>
+concept finds_known_crossing = requires(const Shape& shape, const Ray& ray) {
+    { shape.crossings(line_in<W>(ray), known_crossing{}) } -> std::same_as<crossing<W>>;
 };
 
 /// Has T the digits of the precision that its formulas are tried in first? Then t is recorded as they find it there.
@@ -60,14 +61,14 @@ template <class T>
 inline constexpr bool finds_no_more = !keeps_all_digits<T> || !std::same_as<mask_t<T>, bool>;
 
 /// The crossings of a shape; of one that can find less with less work only what the question wants to know.
-template <class W, question Asked, class Shape, real R, real T>
-RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
-    if constexpr (Asked == question::only_where && finds_known_crossing<Shape, W, R>) {
-        return shape.template crossings<W>(ray, known_crossing{});
-    } else if constexpr (finds_no_more<T> && requires { shape.template crossings<W>(ray, first_from<T>{}); }) {
-        return shape.template crossings<W>(ray, first_from<T>{t_min, t_max, Asked == question::whether});
+template <class W, question Asked, class Shape, class Ray, real T>
+RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const Ray& ray, T t_min, T t_max) {
+    if constexpr (Asked == question::only_where && finds_known_crossing<Shape, W, Ray>) {
+        return shape.crossings(line_in<W>(ray), known_crossing{});
+    } else if constexpr (finds_no_more<T> && requires { shape.crossings(line_in<W>(ray), first_from<T>{}); }) {
+        return shape.crossings(line_in<W>(ray), first_from<T>{t_min, t_max, Asked == question::whether});
     } else {
-        return shape.template crossings<W>(ray);
+        return shape.crossings(line_in<W>(ray));
     }
 }
 

@@ -33,7 +33,8 @@ struct algebraic {
     vec3<T> min, max;  ///< opposite corners of the box; missed unless each size is positive
     Terms terms;       ///< missed if there is none but with zeros
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -67,14 +68,13 @@ struct algebraic {
         return sum;
     }
 
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr crossings_of_degree<W, Degree> crossings(const ray<R>& ray,
-                                                                    const Wanted& wanted = {}) const {
-        chord<W> clip = box<T>{min, max}.template crossings<W>(ray);
+    template <class Line, class Wanted = every_crossing, class W = typename Line::number>
+    RAIO_FORMULA constexpr crossings_of_degree<W, Degree> crossings(const Line& line, const Wanted& wanted = {}) const {
+        auto clip = box<T>{min, max}.crossings(line);
         if (!is_sound() || missed(clip)) return crossings_of_degree<W, Degree>(true);
 
         const vec3<W> low(min), size = vec3<W>(max) - low;
-        const auto part = part_near(line<W, R>{ray}, vec3<T>(T(0)), low + size * W(0.5), W(length(size) * W(0.5)));
+        const auto part = part_near(line, vec3<T>(T(0)), low + size * W(0.5), W(length(size) * W(0.5)));
         if (!part.exists) return crossings_of_degree<W, Degree>(part.is_there());
         clip.near.face = clip.far.face = index_t<W>(1);
         const auto f = along(part.point());
@@ -85,25 +85,18 @@ struct algebraic {
         }
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        const box<T> box{min, max};
-        if (c.face != index_t<W>(0)) {
-            const chord<W> clip = box.template crossings<W>(ray);
-            crossing<W> on_box = c;
-            on_box.face = c.entering ? clip.near.face : clip.far.face;
-            box.surface(ray, on_box, rec);
-            // The point is on the face without any error; but what leaves it has to be certain in double_double that it
-            // is not on f, for which `record_point` asks as much.
-            add_error(rec, norm1(max - min) * T(0x1p-72));
-            return;
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        T bend = norm1(max - min);
+        index_t<W> axis(3);
+        if (at.face() != index_t<W>(0)) {
+            const chord<W> clip = box<T>{min, max}.crossings(at.line());
+            axis = at.entering() ? clip.near.face : clip.far.face;
+            bend = T(0);
         }
-        vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t;
-        record_gradient(ray, c, gradient(p), norm1(max - min), rec);
-        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
-        rec.point = nearest_in(aabb<T>{min, max}, rec.point);
-        vec3<T> place = (rec.point - min) / (max - min);
-        rec.uv = {raio::min(T(1), place.x), raio::min(T(1), place.y)};
+        at.record_point(bend);
+        detail::clipped_surface(at, aabb<T>{min, max}, axis, [this](const auto& p) { return gradient(p); });
     }
 
 private:

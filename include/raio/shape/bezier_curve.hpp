@@ -32,7 +32,8 @@ struct bezier_curve {
     vec3<T> p0, p1, p2, p3;  ///< control points: it begins at p0 towards p1, and ends at p3, coming from p2
     T r0, r1, r2, r3;        ///< radii in the same order; missed if one is below zero, or all are zero
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -40,7 +41,9 @@ struct bezier_curve {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const requires(std::same_as<mask_t<T>, bool>) {
+        return inside_of(*this, ray);
+    }
 
     /// Around the spheres of the control points: each one that is swept is a mean of them. And around the tips, which
     /// even 106 bits cannot tell from a little beyond.
@@ -50,18 +53,21 @@ struct bezier_curve {
         return padded(padded(aabb<T>{box.min - blur, box.max + blur}));
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing_list<W, 14> crossings(const ray<R>& ray) const {
+    template <class Line>
+    RAIO_FORMULA constexpr crossing_list<typename Line::number, 14> crossings(const Line& line) const {
+        using W = typename Line::number;
         const aabb<T> box = around_controls();
         vec3<W> low(box.min), high(box.max);
         const W size = length(high - low) * W(0.5);
         crossing_list<W, 14> list;
         if (!is_sound()) return list;
-        const auto part = part_near(ray, p0, low + (high - low) * W(0.5), size);
+        const auto part = part_near(line, p0, low + (high - low) * W(0.5), size);
         list.depends_on(part);
         if (!part.exists) return list;
 
-        const detail::sweep<W> swept = sweep_along(part, {W(1) / size});
+        // (Both factors count as rounded.)
+        const auto along = line.direction() * rounded_number<W, 1>{part.half};
+        const detail::sweep<W> swept = sweep_along(part, along, given_number<W>{W(1) / size});
         const auto stretches = stretches_below_zero(swept.minus_s.value, W(0), W(1));
         chord_list<W, 7> inside;
         for (const stretch<W>& where : stretches) inside.insert(swept.extent(part, where));
@@ -70,36 +76,40 @@ struct bezier_curve {
         return list;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = working_t<N>;
-        W u = c.u;
-        vec3<W> from_center = seen_from(p0, ray, c.t), ahead(W(0));
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        const raio::crossing<W>& c = at.crossing();
+        vec3<W> from_center = at.from(p0), ahead(W(0));
         // The normal depends on more digits of u than t does. What double takes for an end may be a turn before it.
-        const sphere_near<W> at = sphere_at(from_center, u, bound_t<W>(0));
+        const sphere_near<W> found = sphere_at(from_center, c.u, bound_t<W>(0));
         W longest = c.v;
         if constexpr (!last_precision<W>) {
-            if (!(longest > W(0))) longest = at.unnoticed(vec3<W>(ray.direction) * W(c.error));
+            if (!(longest > W(0))) longest = found.unnoticed(at.direction() * W(c.error));
         }
-        u = max(W(0), min(W(1), u + at.further(longest)));
+        W u = max(W(0), min(W(1), c.u + found.further(longest)));
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const polynomial<W, 3> center = coordinate<W>(axis);
             from_center[axis] -= center(u), ahead[axis] = center.derivative()(u);
         }
         const aabb<T> box = around_controls();
         const T size = norm1(vec3<T>(box.max - box.min));
-        record_gradient(ray, c, from_center, size, rec);
-        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
         // From where on s is certain, of a curve of 2^-30 of its length; or as far as a tangent may be off, at which
         // such an s has no certain root.
         T apart = T(0x1p-60) * size;
-        if constexpr (last_precision<W>) apart = max(apart, norm1(vec3<T>(ray.direction)) * T(c.error));
-        add_error(rec, apart);
+        if constexpr (last_precision<W>) apart = max(apart, T(at.blur()));
 
-        vec3<Q> onwards(scaled_into_range<Q>(vec3<Q>(ahead))), outward(from_center);
-        const bool still = !(norm1(onwards) > Q(0));
-        const frame<Q> f = frame_about(still ? vec3<Q>(Q(0), Q(0), Q(1)) : normalize(onwards));
-        rec.uv = {turns(T(dot(outward, f.y)), T(dot(outward, f.x))), max(T(0), min(T(1), T(u)))};
+        at.record_point(size);
+        at.add_error(apart);
+        at.keep_in([this] { return bounds(); });
+        at.record_gradient(from_center);
+        at.record_uv([&] {
+            using Q = working_t<T>;
+            vec3<Q> onwards(scaled_into_range<Q>(vec3<Q>(ahead))), outward(from_center);
+            const bool still = !(norm1(onwards) > Q(0));
+            const frame<Q> f = frame_about(still ? vec3<Q>(Q(0), Q(0), Q(1)) : normalize(onwards));
+            return vec2<T>(turns(T(dot(outward, f.y)), T(dot(outward, f.x))), max(T(0), min(T(1), T(u))));
+        });
     }
 
 private:
@@ -166,14 +176,16 @@ private:
         return bezier_polynomial<W>(r0, r1, r2, r3);
     }
 
-    /// \param unit  1 over the unit of length
-    template <class W>
-    RAIO_FN constexpr detail::sweep<W> sweep_along(const line_part<W>& part, const given_number<W>& unit) const {
+    /// \param along  of the part
+    /// \param unit   1 over the unit of length
+    template <class W, proven_vector Along>
+    RAIO_FN constexpr detail::sweep<W> sweep_along(const line_part<W>& part, const Along& along,
+                                                   const given_number<W>& unit) const {
         const polynomial_vector<W, 1> p = part.point();
         const polynomial_vector<W, 3> center{coordinate<W>(0), coordinate<W>(1), coordinate<W>(2)};
         const polynomial_vector<W, 3> to_center{(center[0] - p[0][0]) * unit, (center[1] - p[1][0]) * unit,
                                                 (center[2] - p[2][0]) * unit};
-        const auto d = rounded_vector<W, 2>{part.along.x, part.along.y, part.along.z} * unit;
+        const auto d = along * unit;
         const auto d2 = square(d);
         return {d2, {dot(to_center, d)}, {square(cross(to_center, d)) - square(radii<W>() * unit) * d2}};
     }

@@ -39,7 +39,8 @@ struct bilinear_patch {
 
     vec3<T> p00, p10, p01, p11;  ///< the corners at (u, v) = (0, 0), (1, 0), (0, 1) and (1, 1)
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -49,17 +50,19 @@ struct bilinear_patch {
 
     RAIO_FN constexpr aabb<T> bounds() const { return padded(corners()); }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing_list<W, 2> crossings(const ray<R>& ray) const {
+    template <class Line>
+    RAIO_FORMULA constexpr crossing_list<typename Line::number, 2> crossings(const Line& line) const {
         const std::size_t i = edge_without_length();
-        if (i == 4) return cross_moving_line(line<W, R>{ray});
+        if (i == 4) return cross_moving_line(line);
         const std::array<vec3<T>, 4> around = corners_in_order();
-        return cross_triangle<W>(triangle<T>{around[i], around[(i + 2) % 4], around[(i + 3) % 4]}, i, ray);
+        return cross_triangle(triangle<T>{around[i], around[(i + 2) % 4], around[(i + 3) % 4]}, i, line);
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
-        using Q = working_t<N>;
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        using Q = working_t<T>;
+        const W &u = at.crossing().u, &v = at.crossing().v;
         const auto [edge_u, edge_v, far] = edges<W>();
         vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);
         // What floats make has room in double as it is; to scale it would lose a short edge beside a long one.
@@ -68,24 +71,25 @@ struct bilinear_patch {
         vec3<W> scaled_u = edge_u * scale, scaled_v = edge_v * scale, scaled_twist = twist * scale;
         // In all digits of W, here and below: on a sliver or beside a fold the two have nearly one direction, and
         // little is left of the terms.
-        vec3<Q> outward(cross(vec3<W>(scaled_u + scaled_twist * at.v), vec3<W>(scaled_v + scaled_twist * at.u)));
+        vec3<Q> outward(cross(vec3<W>(scaled_u + scaled_twist * v), vec3<W>(scaled_v + scaled_twist * u)));
         vec3<Q> a(scaled_u), w(scaled_v), turn(scaled_twist);
         vec3<Q> aw = cross(a, w), at_u = cross(a, turn), at_v = cross(turn, w);
-        vec3<Q> direction = normalize_from<T>(vec3<Q>(vec3<W>(ray.direction)));
+        vec3<Q> direction = normalize_from<T>(vec3<Q>(at.direction()));
+        const Q side(at.entering() ? 1 : -1);
         // The three are independent unless the patch is flat: only then the normal may vanish, at a corner without an
         // edge or on a fold, and is that of the plane. Much smaller than its terms it is rounding for the most part.
         if (norm1(outward) <= Q(0x1p12 * unit_roundoff<Q>) * (norm1(aw) + norm1(at_u) + norm1(at_v))) {
             const auto larger = [](const vec3<W>& x, const vec3<W>& y) { return norm1(x) < norm1(y) ? y : x; };
             outward = vec3<Q>(larger(cross(scaled_u, scaled_v),
                                      larger(cross(scaled_u, scaled_twist), cross(scaled_twist, scaled_v))));
-            outward = outward * (copysign(Q(1), dot(outward, direction)) * Q(at.entering ? -1 : 1));
+            outward = outward * (copysign(Q(1), dot(outward, direction)) * -side);
         }
-        vec3<Q> facing = outward * choose(at.entering, Q(1), Q(-1));
         // Where rounding has turned it along the ray, it is mirrored.
-        facing -= direction * (Q(2) * max(Q(0), dot(facing, direction)));
-        record_point_between(corners(), ray, at, rec, T(size));
-        rec.normal = vec3<N>(normalize_from<T>(facing));
-        rec.uv = {max(T(0), min(T(1), T(at.u))), max(T(0), min(T(1), T(at.v)))};
+        outward -= direction * (Q(2) * max(Q(0), dot(outward, direction) * side) * side);
+        at.record_point(T(size));
+        at.keep_between(corners());
+        at.record_normal(outward);
+        at.record_uv([&] { return vec2<T>(max(T(0), min(T(1), T(u))), max(T(0), min(T(1), T(v)))); });
     }
 
 private:
@@ -101,10 +105,10 @@ private:
 
     /// A patch with an edge of no length, which is corner a of the triangle: the edge v = 0 if `turns` is 0, and so on
     /// around the patch.
-    template <class W, real R>
-    RAIO_FN static constexpr crossing_list<W, 2> cross_triangle(const triangle<T>& shape, std::size_t turns,
-                                                                const ray<R>& ray) {
-        crossing<W> c = shape.template crossings<W>(ray);
+    template <class Line>
+    RAIO_FN static constexpr auto cross_triangle(const triangle<T>& shape, std::size_t turns, const Line& line) {
+        using W = typename Line::number;
+        auto c = shape.crossings(line);
         const W away = c.u + c.v;
         c.u = quotient(c.u, away, W(0)), c.v = away;
         for (std::size_t i = 0; i < turns; ++i) std::tie(c.u, c.v) = std::pair(W(1) - c.v, c.u);
@@ -113,8 +117,9 @@ private:
         return list;
     }
 
-    template <class W, real R>
-    RAIO_FN constexpr crossing_list<W, 2> cross_moving_line(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FN constexpr auto cross_moving_line(const Line& line) const {
+        using W = typename Line::number;
         const auto a = line.to(p00);
         const auto edge = line.between(p00, p10);
         const auto w = line.between(p00, p01);
@@ -158,8 +163,8 @@ private:
     /// Is the ray's origin on the patch? Its barycentric coordinates in the tetrahedron of the corners are then (1 - u)
     /// (1 - v), u (1 - v), (1 - u) v and u v. They are zero if all are in one plane: then it is where the ray crosses
     /// that.
-    template <class W, real R>
-    RAIO_FN constexpr verdict<bool> holds_origin(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FN constexpr verdict<bool> holds_origin(const Line& line) const {
         const auto a = line.to(p00);
         const auto b = line.to(p10);
         const auto c = line.to(p01);

@@ -40,7 +40,8 @@ struct blob {
     std::array<metaball<T>, Most> components{};
     T threshold;  ///< missed unless it is positive, and above 2^-900, since there two doubles lose their digits
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -48,7 +49,9 @@ struct blob {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const requires(std::same_as<mask_t<T>, bool>) {
+        return inside_of(*this, ray);
+    }
 
     /// Around all components, also where their fields are below the threshold. Without any point if there are none.
     RAIO_FN constexpr aabb<T> bounds() const {
@@ -72,15 +75,16 @@ struct blob {
         return sum;
     }
 
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr crossing_list<W, most_crossings> crossings(const ray<R>& ray,
-                                                                      const Wanted& wanted = {}) const {
+    template <class Line, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr crossing_list<typename Line::number, most_crossings> crossings(
+        const Line& line, const Wanted& wanted = {}) const {
+        using W = typename Line::number;
         crossing_list<W, most_crossings> list;
         const aabb<T> box = bounds();
         if (!is_sound() || !(box.min.x < box.max.x)) return list;
         const vec3<T> base = box.min + (box.max - box.min) / T(2);
         const vec3<W> size = vec3<W>(box.max) - vec3<W>(box.min);
-        const auto part = part_near(line<W, R>{ray}, base, vec3<W>(base), W(length(size) * W(0.5)));
+        const auto part = part_near(line, base, vec3<W>(base), W(length(size) * W(0.5)));
         if (!list.holds(part.is_there())) return list;
 
         std::array<piece<W>, 3 * Most> pieces;
@@ -117,9 +121,10 @@ struct blob {
         return list;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        vec3<W> p = vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t, outwards(W(0));
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        vec3<W> p = at.position(), outwards(W(0));
         for (const metaball<T>& m : components) {
             if (!has_effect(m)) continue;
             const vec3<W> beside = from_axis(m, vec3<W>(p - vec3<W>(m.center)));
@@ -128,10 +133,13 @@ struct blob {
         }
         const aabb<T> box = bounds();
         vec3<T> size = box.max - box.min;
-        record_gradient(ray, c, outwards, norm1(size), rec);
-        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
-        const auto place = [](T x, T low, T all) { return max(T(0), min(T(1), (x - low) / all)); };
-        rec.uv = {place(rec.point.x, box.min.x, size.x), place(rec.point.y, box.min.y, size.y)};
+        at.record_point(norm1(size));
+        at.keep_in([&] { return box; });
+        at.record_gradient(outwards);
+        at.record_uv([&] {
+            const auto place = [](T x, T low, T all) { return max(T(0), min(T(1), (x - low) / all)); };
+            return vec2<T>(place(at.point().x, box.min.x, size.x), place(at.point().y, box.min.y, size.y));
+        });
     }
 
 private:
@@ -175,7 +183,7 @@ private:
     template <class W, class Visit>
     RAIO_FN static constexpr void for_each_piece(const metaball<T>& m, const line_part<W>& part, const vec3<T>& base,
                                                  Visit visit) {
-        using numbers = line<W>;
+        using numbers = shape_numbers<W>;
         const auto one = numbers::given(T(1));
         const auto over_radius = inverse(numbers::given(m.radius));
         const auto axis = numbers::given(m.axis);
@@ -216,7 +224,7 @@ private:
         } else if (!(c[0] > W(0))) {
             high = low;
         }
-        return {low, high, raio::square(depth) * line<W>::given(strength)};
+        return {low, high, raio::square(depth) * shape_numbers<W>::given(strength)};
     }
 
     /// Into a list in order.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <raio/concepts.hpp>
+#include <raio/formula/box_faces.hpp>
+#include <raio/formula/plane.hpp>
 #include <raio/proof/line.hpp>
 #include <raio/proof/settle.hpp>
 #include <raio/surface_sample.hpp>
@@ -21,7 +23,8 @@ struct box {
     vec3<T> min, max;  ///< opposite corners; the box is missed unless at least two of the sizes are positive and none
                        ///< is negative
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -52,58 +55,48 @@ struct box {
         return s;
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        if constexpr (has_closer_look<W>) {
-            return crossings_at_once<W>(ray);
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        using W = typename Line::number;
+        if constexpr (!Line::is_exact) {
+            const auto to_min = line.to(min);
+            const auto to_max = line.to(max);
+            const auto direction = line.direction();
+            const auto slab = [&](int axis) {
+                chord<W> c = cross_between<W>(to_min[axis], to_max[axis], direction[axis]);
+                c.near.face = c.far.face = index_t<W>(axis);
+                return c;
+            };
+            return with_faces(intersect(intersect(slab(0), slab(1)), slab(2)), has_faces());
+        } else if constexpr (has_closer_look<W>) {
+            return crossings_at_once<W>(line.ray);
         } else {
-            return crossings(line<W, R>{ray});
+            const auto [origin, direction] = line.ray;
+            chord<W> x = between_faces<W>(origin.x, direction.x, min.x, max.x, 0);
+            chord<W> y = between_faces<W>(origin.y, direction.y, min.y, max.y, 1);
+            chord<W> z = between_faces<W>(origin.z, direction.z, min.z, max.z, 2);
+            return with_faces(intersect(intersect(x, y), z),
+                              every(has_faces(), is_finite(origin), is_finite(direction)));
         }
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
-        const auto [origin, direction] = line.ray;
-        chord<W> x = between_faces<W>(origin.x, direction.x, min.x, max.x, 0);
-        chord<W> y = between_faces<W>(origin.y, direction.y, min.y, max.y, 1);
-        chord<W> z = between_faces<W>(origin.z, direction.z, min.z, max.z, 2);
-        chord<W> c = intersect(intersect(x, y), z);
-        const mask_t<W> exists = every(has_faces(), is_finite(origin), is_finite(direction));
-        c.near.exists = every(c.near.exists, exists), c.far.exists = every(c.far.exists, exists);
-        return c;
-    }
-
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        record_point_between({min, max}, ray, c, rec);
-        put_on_face(ray, c, rec);
-    }
-
-    /// Records what the face of a crossing is: all but what `record_point` does.
-    template <class W, real R, real N>
-    RAIO_FN constexpr void put_on_face(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        // One coordinate is known without any error: that of the face, which is the low one where the line enters
-        // forwards.
-        const mask_t<T> x = c.face == index_t<W>(0), y = c.face == index_t<W>(1), z = c.face == index_t<W>(2);
-        const mask_t<T> entering = c.entering;
-        const T zero(0), one(1);
-        const auto put_onto = [&](mask_t<T> on, const R& d, T low, T high, T& p, T& error, N& normal) {
-            const mask_t<T> forward = d > R(0), at_low = entering == forward;
-            p = choose(on, choose(at_low, low, high), p);
-            error = choose(on, zero, error);
-            normal = choose(on, choose(forward, N(-1), N(1)), N(0));
-        };
-        put_onto(x, ray.direction.x, min.x, max.x, rec.point.x, rec.error.x, rec.normal.x);
-        put_onto(y, ray.direction.y, min.y, max.y, rec.point.y, rec.error.y, rec.normal.y);
-        put_onto(z, ray.direction.z, min.z, max.z, rec.point.z, rec.error.z, rec.normal.z);
-        const auto along = [&](T p, T low, T high) {
-            return raio::max(zero, raio::min(one, quotient(p - low, high - low, zero)));
-        };
-        rec.uv = {along(choose(x, rec.point.y, rec.point.x), choose(x, min.y, min.x), choose(x, max.y, max.x)),
-                  along(choose(z, rec.point.y, rec.point.z), choose(z, min.y, min.z), choose(z, max.y, max.z))};
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        const aabb<T> corners{min, max};
+        at.record_point();
+        at.keep_between(corners);
+        at.put_on_face(corners, at.face());
+        at.record_uv([&] { return detail::uv_across(corners, at.face(), at.point()); });
     }
 
 private:
+    /// The same chord, if there are faces to end it.
+    template <class W>
+    RAIO_FN static constexpr chord<W> with_faces(chord<W> c, const mask_t<W>& exist) {
+        c.near.exists = every(c.near.exists, exist), c.far.exists = every(c.far.exists, exist);
+        return c;
+    }
+
     /// Of the three sizes the least may be zero, the middle one may not.
     RAIO_FN constexpr mask_t<T> has_faces() const {
         vec3<T> size = max - min;

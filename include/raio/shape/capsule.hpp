@@ -18,7 +18,8 @@ struct capsule {
     vec3<T> base, top;  ///< the centres of the round ends
     T radius;           ///< a length; the capsule is missed unless it is positive, and above 2^-60 of the axis
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -43,48 +44,42 @@ struct capsule {
         return {base + f.z * on_axis + normal * radius, normal};
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        return crossings(line<W, R>{ray});
-    }
-
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
-        chord<W> c = detail::cross_endless_cylinder(base, top, radius, line);
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto c = detail::cross_endless_cylinder(base, top, radius, line);
         const auto axis2 = square(line.between(base, top));
         if (missed(c) && all(is_positive(axis2).certainly)) return c;  // without an axis there still is a sphere
         c = intersect(c, detail::cross_cap_planes(base, top, line));
-        c = detail::with_round_ends(c, low_end(), high_end(), line.ray);
+        c = detail::with_round_ends(c, low_end(), high_end(), line);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         const auto r = line.given(radius);
         const auto slim = line.given(T(0x1p-120));
         c = only_if(r * r >= axis2 * slim, c);
-        keep_if_reachable<T>(line.ray, c);
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = working_t<N>;
-        vec3<W> axis = difference_as<W>(top, base), step = product_as<W>(ray.direction, c.t);
-        vec3<W> from_base = difference_as<W>(ray.origin, base) + step;
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        using Q = working_t<T>;
+        vec3<W> axis = difference_as<W>(top, base), from_base = at.from(base);
         W axis2 = dot(axis, axis), along = quotient(dot(from_base, axis), axis2, W(0));
         // At the upper end, which may be far from the base, the distance is measured from there.
-        vec3<W> from_top = difference_as<W>(ray.origin, top) + step, beside = from_base - axis * max(W(0), along);
-        vec3<Q> from_axis(select(along >= W(1), from_top, beside));
-        vec3<N> outward(normalize(from_axis));
-        record_point(ray, c, rec, radius);
-        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
-        rec.normal = outward * select(c.entering, N(1), N(-1));
-
-        const mask_t<T> is_long = T(axis2) > T(0);
-        vec3<T> up(normalize(select(is_long, vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1)))));
-        const frame<T> f = frame_about(up);
-        vec3<T> from_center(from_axis);
-        const T size = T(sqrt(axis2)), rise = dot(from_center, up),
-                height = max(T(0), min(T(1), T(along))) * size + rise;
-        rec.uv = {turns(dot(from_center, f.y), dot(from_center, f.x)),
-                  max(T(0), min(T(1), (height + radius) / (size + T(2) * radius)))};
+        vec3<W> beside = from_base - axis * max(W(0), along);
+        vec3<Q> from_axis(select(along >= W(1), at.from(top), beside));
+        at.record_point(radius);
+        at.keep_in([this] { return bounds(); });
+        at.record_normal(from_axis);
+        at.record_uv([&] {
+            const mask_t<T> is_long = T(axis2) > T(0);
+            vec3<T> up(normalize(select(is_long, vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1))))), from_center(from_axis);
+            const frame<T> f = frame_about(up);
+            const T size = T(sqrt(axis2)), rise = dot(from_center, up),
+                    height = max(T(0), min(T(1), T(along))) * size + rise;
+            return vec2<T>(turns(dot(from_center, f.y), dot(from_center, f.x)),
+                           max(T(0), min(T(1), (height + radius) / (size + T(2) * radius))));
+        });
     }
 
 private:

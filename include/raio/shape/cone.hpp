@@ -30,13 +30,12 @@ namespace raio {
 namespace detail {
 
 /// The chord through the nappe that widens from the apex towards the base, and on.
-template <class W, class R, real T>
-RAIO_FN constexpr chord<W> cross_endless_cone(const vec3<T>& base, const vec3<T>& apex, const T& radius,
-                                              const line<W, R>& line) {
+template <class Line, real T>
+RAIO_FN constexpr auto cross_endless_cone(const vec3<T>& base, const vec3<T>& apex, const T& radius, const Line& line) {
     const auto r = line.given(radius);
     const auto d = line.direction();
     const auto axis = line.between(apex, base);
-    const zero_number<W> none;
+    const zero_number<typename Line::number> none;
     return one_nappe(cross_quadric(d, line.to(apex), axis, turned_conic{none, none, r * r, none}, r), dot(d, axis));
 }
 
@@ -51,7 +50,8 @@ struct cone {
     vec3<T> apex;
     T radius;  ///< a length; the cone is missed unless it is positive and base and apex differ
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -70,18 +70,23 @@ struct cone {
         return as_frustum().sample(u);
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> nappe = detail::cross_endless_cone(base, apex, radius, line<W, R>{ray});
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto nappe = detail::cross_endless_cone(base, apex, radius, line);
         if (missed(nappe)) return nappe;
-        chord<W> c = intersect(nappe, detail::cross_cap_planes<W>(base, apex, ray));
-        keep_if_reachable<T>(ray, c);
+        auto c = intersect(nappe, detail::cross_cap_planes(base, apex, line));
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        as_frustum().surface(ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        as_frustum().surface(at);
+    }
+
+    template <class Point>
+    RAIO_FN constexpr auto is_close_to_tip(const Point& at) const {
+        return as_frustum().is_close_to_tip(at);
     }
 
 private:
@@ -97,7 +102,8 @@ struct open_cone {
     vec3<T> apex;
     T radius;  ///< a length; the cone is missed unless it is positive and base and apex differ
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -112,19 +118,24 @@ struct open_cone {
     /// u.x turns about the axis, u.y is the area between the base and the point.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_frustum().sample(u); }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> nappe = detail::cross_endless_cone(base, apex, radius, line<W, R>{ray});
-        if (missed(nappe)) return nappe;
-        chord<W> slab = detail::cross_cap_planes<W>(base, apex, ray);
-        chord<W> c = {detail::within(slab, nappe.near), detail::within(slab, nappe.far)};
-        keep_if_reachable<T>(ray, c);
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto c = detail::cross_endless_cone(base, apex, radius, line);
+        if (missed(c)) return c;
+        const auto slab = detail::cross_cap_planes(base, apex, line);
+        c = {detail::within(slab, c.near), detail::within(slab, c.far)};
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        as_frustum().surface(ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        as_frustum().surface(at);
+    }
+
+    template <class Point>
+    RAIO_FN constexpr auto is_close_to_tip(const Point& at) const {
+        return as_frustum().is_close_to_tip(at);
     }
 
 private:

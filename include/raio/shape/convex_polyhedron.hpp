@@ -54,7 +54,8 @@ struct convex_polyhedron {
 
     Planes planes;
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -101,13 +102,9 @@ struct convex_polyhedron {
         return {vec3<T>(a + across * sqrt(min(left, one))), normalize(normal)};
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        return crossings(line<W, R>{ray});
-    }
-
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        using W = typename Line::number;
         const auto origin = line.from(vec3<T>(T(0)));
         chord<W> c = everywhere<W>();
         index_t<W> face{};
@@ -119,21 +116,23 @@ struct convex_polyhedron {
             if (all(is_certainly_missed(c))) break;
             face = face + index_t<W>(1);
         }
-        keep_if_reachable<T>(line.ray, c);
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        const half_space<T> plane = plane_of(c.face);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        const half_space<T> plane = plane_of(at.face());
         const vec3<T>& n = plane.normal;
-        vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(n)));
-        record_point(ray, c, rec);
+        at.record_point();
         const auto axis_at = [&](const T& n_i) { return quotient(-plane.offset, n_i, T(0)); };
-        put_onto_plane(n, {axis_at(n.x), axis_at(n.y), axis_at(n.z)}, rec);
-        rec.normal = outward * select(c.entering, N(1), N(-1));
-        vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point);
-        rec.uv = {fraction(local.x), fraction(local.y)};
+        at.put_onto_plane(n, {axis_at(n.x), axis_at(n.y), axis_at(n.z)});
+        at.record_normal(n);
+        at.record_uv([&] {
+            vec3<T> up(normalize_from<T>(vec3<working_t<T>>(n)));
+            vec3<T> local = frame_about(up).to_local(at.point());
+            return vec2<T>(fraction(local.x), fraction(local.y));
+        });
     }
 
     /// What is in one lane of packs.

@@ -16,8 +16,9 @@ struct revolved_piece<T, 3> {
     vec3<T> base, axis;
     vec2<T> p0, p1, p2, p3;  ///< control points, (radius, height)
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing_list<W, 12> crossings(const ray<R>& ray) const {
+    template <class Line>
+    RAIO_FORMULA constexpr crossing_list<typename Line::number, 12> crossings(const Line& line) const {
+        using W = typename Line::number;
         crossing_list<W, 12> list;
         const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x)), least = min(min(p0.x, p1.x), min(p2.x, p3.x));
         const T low = min(min(p0.y, p1.y), min(p2.y, p3.y)), high = max(max(p0.y, p1.y), max(p2.y, p3.y));
@@ -27,31 +28,34 @@ struct revolved_piece<T, 3> {
                            is_finite(p0.y + p1.y + p2.y + p3.y);
         if (!sound || !(unit > W(0)) || !is_finite(bound_t<W>(unit))) return list;
         const W reach = W(widest) + (W(high) - W(low)) * (W(0.5) * unit);
-        const auto part = part_near(ray, base, vec3<W>(base) + a * middle, reach);
+        const auto part = part_near(line, base, vec3<W>(base) + a * middle, reach);
         list.depends_on(part);
         if (!part.exists) return list;
         list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
         list.start_at_origin();
-        keep_if_reachable<T>(ray, list);
+        keep_if_reachable<T>(line, list);
         return list;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = working_t<N>;
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        using Q = working_t<T>;
         const auto curve = beside_axis<W>();
-        const W s = c.u;
-        vec3<W> p = seen_from(base, ray, c.t);
+        const W s = at.crossing().u;
+        vec3<W> p = at.from(base);
         const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x));
         const T high = max(max(abs(p0.y), abs(p1.y)), max(abs(p2.y), abs(p3.y)));
         const T size = widest + norm1(axis) * high;
-        vec3<W> outward = outward_normal(curve, s, p);
-        record_gradient(ray, c, outward, size, rec);
-        add_error(rec, T(0x1p-60) * size);  // from where on a crossing is certain, of a radius of 2^-20 of the size
-        const vec3<W> e = curve.axis();
-        const frame<Q> f = frame_about(vec3<Q>(e));
-        vec3<Q> beside(p - e * dot(p, e));
-        rec.uv = {turns(T(dot(beside, f.y)), T(dot(beside, f.x))), max(T(0), min(T(1), T(s)))};
+        at.record_point(size);
+        at.add_error(T(0x1p-60) * size);  // from where on a crossing is certain, of a radius of 2^-20 of the size
+        at.record_gradient(outward_normal(curve, s, p));
+        at.record_uv([&] {
+            const vec3<W> e = curve.axis();
+            const frame<Q> f = frame_about(vec3<Q>(e));
+            vec3<Q> beside(p - e * dot(p, e));
+            return vec2<T>(turns(T(dot(beside, f.y)), T(dot(beside, f.x))), max(T(0), min(T(1), T(s))));
+        });
     }
 
 private:

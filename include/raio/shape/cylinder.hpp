@@ -26,9 +26,10 @@ namespace raio {
 namespace detail {
 
 /// The chord through the endless cylinder.
-template <class W, class R, real T>
-RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec3<T>& top, const T& radius,
-                                                  const line<W, R>& line) {
+template <class Line, real T>
+RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>& top, const T& radius,
+                                              const Line& line) {
+    using W = typename Line::number;
     const auto axis = line.between(base, top);
     const auto l = line.to(base);
     const auto d = line.direction();
@@ -52,13 +53,11 @@ RAIO_FN constexpr chord<W> cross_endless_cylinder(const vec3<T>& base, const vec
     return unless(!is_apart, between(crosses, near, far), inside);
 }
 
-/// What both cylinders record.
-template <class W, real T, real R, real N>
-RAIO_FN constexpr void cylinder_surface(const vec3<T>& base, const vec3<T>& top, T radius, const ray<R>& ray,
-                                        const crossing<W>& c, hit_record<T, N>& rec) {
-    axial_surface(base, top, vec2<T>(radius), radius, ray, c, rec,
-                  [](const vec3<W>& from_axis, const W&) { return from_axis; });
-    keep_in_bounds(ray, c, rec, [&] { return axial_bounds(base, top, vec2<T>(radius)); });
+/// What both cylinders say of a point.
+template <class Point, real T>
+RAIO_FN constexpr void cylinder_surface(Point& at, const vec3<T>& base, const vec3<T>& top, T radius) {
+    axial_surface(at, base, top, vec2<T>(radius), radius, [](const auto& from_axis, const auto&) { return from_axis; });
+    at.keep_in([&] { return axial_bounds(base, top, vec2<T>(radius)); });
 }
 
 }  // namespace detail
@@ -71,7 +70,8 @@ struct cylinder {
     vec3<T> base, top;  ///< the centres of the two caps
     T radius;           ///< a length; the cylinder is missed unless it is positive and base and top differ
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -104,18 +104,18 @@ struct cylinder {
         return on_top ? surface_sample<T>{top + from_axis, f.z} : surface_sample<T>{base + from_axis, -f.z};
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> endless = detail::cross_endless_cylinder(base, top, radius, line<W, R>{ray});
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto endless = detail::cross_endless_cylinder(base, top, radius, line);
         if (missed(endless)) return endless;
-        chord<W> c = intersect(endless, detail::cross_cap_planes<W>(base, top, ray));
-        keep_if_reachable<T>(ray, c);
+        auto c = intersect(endless, detail::cross_cap_planes(base, top, line));
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::cylinder_surface(base, top, radius, ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        detail::cylinder_surface(at, base, top, radius);
     }
 };
 
@@ -128,7 +128,8 @@ struct open_cylinder {
     vec3<T> base, top;  ///< the centres of the two rims, which belong to the tube
     T radius;           ///< a length; the tube is missed unless it is positive and base and top differ
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -150,17 +151,18 @@ struct open_cylinder {
     }
 
     /// Either crossing counts on its own, if it lies between the two planes.
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> endless = detail::cross_endless_cylinder(base, top, radius, line<W, R>{ray});
-        if (missed(endless)) return endless;
-        chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
-        return {detail::within(slab, endless.near), detail::within(slab, endless.far)};
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto c = detail::cross_endless_cylinder(base, top, radius, line);
+        if (missed(c)) return c;
+        const auto slab = detail::cross_cap_planes(base, top, line);
+        c = {detail::within(slab, c.near), detail::within(slab, c.far)};
+        return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::cylinder_surface(base, top, radius, ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        detail::cylinder_surface(at, base, top, radius);
     }
 };
 

@@ -17,7 +17,8 @@ struct disc {
     vec3<T> normal;  ///< any length but zero
     T radius;        ///< a length; the disc is missed unless it is positive
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -29,13 +30,9 @@ struct disc {
     RAIO_FN constexpr T area() const { return as_ring().area(); }
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_ring().sample(u); }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
-        return crossings(line<W, R>{ray});
-    }
-
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FORMULA constexpr crossing<typename Line::number> crossings(const Line& line) const {
+        using W = typename Line::number;
         const auto n = line.given(normal);
         const auto d = line.direction();
         const auto r = line.given(radius);
@@ -46,9 +43,9 @@ struct disc {
         return crossing_at(exists, t, speed.value < W(0));
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        as_ring().surface(ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        as_ring().surface(at);
     }
 
 private:

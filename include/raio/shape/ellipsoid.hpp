@@ -22,7 +22,8 @@ struct ellipsoid {
     vec3<T> center;
     vec3<T> radii;  ///< along the axes: lengths; the ellipsoid is missed unless each is positive
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -34,16 +35,16 @@ struct ellipsoid {
 
     RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{center - radii, center + radii}); }
 
-    template <class W, real R>
-    [[gnu::always_inline]] RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        line<W, R> line{ray};
+    template <class Line>
+    [[gnu::always_inline]] RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        using W = typename Line::number;
         auto r = line.given(radii);
         rounded_vector<W, 1> stretch{r.y * r.z, r.z * r.x, r.x * r.y};
         rounded_number<W, 2> radius{r.x * stretch.x};
-        const auto power = [&] {
+        const auto power = [&](const auto& origin) {
             using D = wide_t<W>;
             vec3<D> exactly = to_sphere<D>();
-            return power_of_point<2, W>(exactly * difference_as<D>(center, ray.origin), D(radii.x) * exactly.x);
+            return power_of_point<2, W>(exactly * difference_as<D>(center, origin), D(radii.x) * exactly.x);
         };
         chord<W> c = cross_sphere_along(line, stretch * line.to(center), stretch * line.direction(), radius, power);
         const mask_t<T> sound = every(radii.x > T(0), radii.y > T(0), radii.z > T(0));
@@ -52,18 +53,20 @@ struct ellipsoid {
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = working_t<N>;
-        vec3<W> stretch = to_sphere<W>();
-        vec3<W> on_sphere = seen_from(center, ray, c.t) * stretch;
-        vec3<N> outward(normalize(vec3<Q>(on_sphere * stretch)));  // a fifth power, whose square may be out of range
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        using Q = working_t<T>;
+        vec3<W> stretch = to_sphere<W>(), on_sphere = at.from(center) * stretch;
         const T longest = max(radii.x, max(radii.y, radii.z)), shortest = min(radii.x, min(radii.y, radii.z));
-        record_point(ray, c, rec, min(longest * (longest / shortest), T(std::numeric_limits<scalar_t<T>>::max() / 4)));
-        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
-        rec.normal = outward * select(c.entering, N(1), N(-1));
-        vec3<T> unit(normalize_from<T>(vec3<Q>(on_sphere)));
-        rec.uv = {turns(-unit.z, unit.x), latitude(unit.y, sqrt(unit.x * unit.x + unit.z * unit.z))};
+        at.record_point(min(longest * (longest / shortest), T(std::numeric_limits<scalar_t<T>>::max() / 4)));
+        at.keep_in([this] { return bounds(); });
+        // A fifth power of lengths: its square may be out of range.
+        at.record_normal(scaled_into_range<Q>(vec3<Q>(on_sphere * stretch)));
+        at.record_uv([&] {
+            vec3<T> unit(normalize_from<T>(vec3<Q>(on_sphere)));
+            return vec2<T>(turns(-unit.z, unit.x), latitude(unit.y, sqrt(unit.x * unit.x + unit.z * unit.z)));
+        });
     }
 
 private:

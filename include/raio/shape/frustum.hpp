@@ -35,9 +35,9 @@ RAIO_FN constexpr chord<W> one_nappe(const hollow_chord<W>& c, const bounded_num
 /// The chord through the one nappe, endless at its wide end.
 /// \param l     from the point where the line has t = 0 to the end with the lesser radius
 /// \param axis  from there to the end with the greater one
-template <class W, class R, real T, proven_vector L, proven_vector A>
-RAIO_FN constexpr chord<W> cross_nappe(const line<W, R>& line, const L& l, const A& axis, const T& lesser,
-                                       const T& greater) {
+template <class Line, real T, proven_vector L, proven_vector A>
+RAIO_FN constexpr auto cross_nappe(const Line& line, const L& l, const A& axis, const T& lesser, const T& greater) {
+    using W = typename Line::number;
     auto r = line.given(lesser);
     auto widening = line.between(lesser, greater);
     auto d = line.direction();
@@ -48,9 +48,8 @@ RAIO_FN constexpr chord<W> cross_nappe(const line<W, R>& line, const L& l, const
     c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
     return c;
 }
-template <class W, class R, real T>
-RAIO_FN constexpr chord<W> cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
-                                       const line<W, R>& line) {
+template <class Line, real T>
+RAIO_FN constexpr auto cross_nappe(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, const Line& line) {
     const mask_t<T> turned = radii.y < radii.x;
     const vec3<T> low = select(turned, top, base), high = select(turned, base, top);
     return cross_nappe(line, line.to(low), line.between(low, high), select(turned, radii.y, radii.x),
@@ -67,52 +66,49 @@ RAIO_FN constexpr vec3<W> turned_from(const vec3<W>& d, const mask_t<W>& enterin
     return outward - d * (forward / dot(d, d));
 }
 
-/// What both frusta record, in the precision of W.
-template <class W, real T, real R, real N>
-RAIO_FN constexpr void record_frustum(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, const ray<R>& ray,
-                                      const crossing<W>& c, hit_record<T, N>& rec) {
+/// Outwards across the side, of any length.
+/// \param axis       from the end with the first radius to that with the second one
+/// \param from_axis  to the point, which is at this height: 0 and 1 at the ends
+template <class Point, class W, real T>
+RAIO_FN constexpr vec3<W> frustum_gradient(const Point& at, const vec3<W>& axis, const vec2<T>& radii,
+                                           const vec3<W>& from_axis, const W& height) {
     using E = bound_t<W>;
-    vec3<W> axis = difference_as<W>(top, base), d(ray.direction);
     W axis2 = dot(axis, axis), r(radii.x), widening = W(radii.y) - r;
-    const auto gradient = [&](const vec3<W>& from_axis, const W& height) {
-        vec3<W> off = from_axis - axis * (widening * (r + widening * height) / axis2);
-        const E size = norm1(vec3<E>(axis)), lean = min(abs(E(widening)), size);
-        const E error = norm1(vec3<E>(d)) * c.error + E(8 * unit_roundoff<W>) * size;
-        // An error turns the normal by its share of the distance from the axis: by a sixteenth of the slope, or more?
-        const mask_t<W> doubtful = every(widening != W(0), norm1(vec3<E>(from_axis)) * lean <= E(16) * error * size);
-        if (none(doubtful)) return off;
-        // Close to an apex the height may be off by all that is left of the cone. The way from the axis is not, where
-        // the ray runs along it, and says the radius as well.
-        const auto across = [&](const vec3<W>& v) { return v - axis * (dot(v, axis) / axis2); };
-        vec3<W> beside = across(from_axis), tip = axis * copysign(W(1), -widening);
-        const mask_t<W> on_axis =
-            norm1(vec3<E>(beside)) <= norm1(vec3<E>(across(d))) * c.error + E(8 * unit_roundoff<W>) * size;
-        vec3<W> outward = select(on_axis, tip, beside + tip * (abs(widening) * length(beside) / axis2));
-        return select(doubtful, turned_from(d, c.entering, outward), off);
-    };
-    const T bend = max(radii.x, radii.y) + norm1(vec3<T>(axis));
-    axial_surface(base, top, radii, bend, ray, c, rec, gradient);
-    keep_in_bounds(ray, c, rec, [&] { return axial_bounds(base, top, radii); });
+    vec3<W> off = from_axis - axis * (widening * (r + widening * height) / axis2);
+    const E size = norm1(vec3<E>(axis)), lean = min(abs(E(widening)), size);
+    const E rounding = E(8 * unit_roundoff<W>) * size, error = at.blur() + rounding;
+    // An error turns the normal by its share of the distance from the axis: by a sixteenth of the slope, or more?
+    const mask_t<W> doubtful = every(widening != W(0), norm1(vec3<E>(from_axis)) * lean <= E(16) * error * size);
+    if (none(doubtful)) return off;
+    // Close to an apex the height may be off by all that is left of the cone. The way from the axis is not, where the
+    // ray runs along it, and says the radius as well.
+    const auto across = [&](const vec3<W>& v) { return v - axis * (dot(v, axis) / axis2); };
+    vec3<W> beside = across(from_axis), tip = axis * copysign(W(1), -widening), d = at.direction();
+    const mask_t<W> on_axis = norm1(vec3<E>(beside)) <= norm1(vec3<E>(across(d))) * at.crossing().error + rounding;
+    vec3<W> outward = select(on_axis, tip, beside + tip * (abs(widening) * length(beside) / axis2));
+    return select(doubtful, turned_from(d, at.entering(), outward), off);
 }
 
-/// What both frusta record. Close to an apex a double has no digits to spare.
-template <class W, real T, real R, real N>
-RAIO_FN constexpr void frustum_surface(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, const ray<R>& ray,
-                                       const crossing<W>& c, hit_record<T, N>& rec) {
-    if constexpr (lacks_digits<T, W>) {
-        using E = bound_t<W>;
-        vec3<W> axis = difference_as<W>(top, base), from_base = seen_from(base, ray, c.t);
-        const E size = norm1(vec3<E>(axis)), room = E(0x1p-8) * (norm1(vec3<E>(from_base)) + size);
-        const mask_t<W> close = norm1(vec3<E>(cross(from_base, axis))) < room * size;
-        if (any(close)) [[unlikely]] {
-            hit_record<T, N> closer;
-            record_frustum(base, top, radii, ray, in_more_digits<exact_t<T>>(c), closer);
-            if (!all(close)) record_frustum(base, top, radii, ray, c, rec);
-            assign(mask_t<T>(close), rec, closer);
-            return;
-        }
-    }
-    record_frustum(base, top, radii, ray, c, rec);
+/// What both frusta say of a point.
+template <class Point, real T>
+RAIO_FN constexpr void frustum_surface(Point& at, const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
+    using W = typename Point::number;
+    vec3<W> axis = difference_as<W>(top, base);
+    axial_surface(at, base, top, radii, max(radii.x, radii.y) + norm1(vec3<T>(axis)),
+                  [&](const vec3<W>& from_axis, const W& height) {
+                      return frustum_gradient(at, axis, radii, from_axis, height);
+                  });
+    at.keep_in([&] { return axial_bounds(base, top, radii); });
+}
+
+/// Is the point so close to the axis that a double has no digits to spare?
+template <class Point, real T>
+RAIO_FN constexpr auto is_close_to_apex(const Point& at, const vec3<T>& base, const vec3<T>& top) {
+    using W = typename Point::number;
+    using E = bound_t<W>;
+    vec3<W> axis = difference_as<W>(top, base), from_base = at.from(base);
+    const E size = norm1(vec3<E>(axis)), room = E(0x1p-8) * (norm1(vec3<E>(from_base)) + size);
+    return norm1(vec3<E>(cross(from_base, axis))) < room * size;
 }
 
 /// The area of the side, and the point of it that `u` chooses: u.x turns about the axis, u.y is the area between the
@@ -152,7 +148,8 @@ struct frustum {
     vec3<T> base, top;          ///< the centres of the two caps
     T base_radius, top_radius;  ///< lengths; the frustum is missed unless one is positive and none is negative
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -184,18 +181,23 @@ struct frustum {
         return {base + across * (rho * base_radius), -f.z};
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> nappe = detail::cross_nappe(base, top, radii(), line<W, R>{ray});
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto nappe = detail::cross_nappe(base, top, radii(), line);
         if (missed(nappe)) return nappe;
-        chord<W> c = intersect(nappe, detail::cross_cap_planes<W>(base, top, ray));
-        keep_if_reachable<T>(ray, c);
+        auto c = intersect(nappe, detail::cross_cap_planes(base, top, line));
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::frustum_surface(base, top, radii(), ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        detail::frustum_surface(at, base, top, radii());
+    }
+
+    template <class Point>
+    RAIO_FN constexpr auto is_close_to_tip(const Point& at) const {
+        return detail::is_close_to_apex(at, base, top);
     }
 
 private:
@@ -210,7 +212,8 @@ struct open_frustum {
     vec3<T> base, top;          ///< the centres of the two rims, which belong to it
     T base_radius, top_radius;  ///< lengths; the frustum is missed unless one is positive and none is negative
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -228,19 +231,24 @@ struct open_frustum {
     }
 
     /// Either crossing counts on its own, if it lies between the two planes.
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = detail::cross_nappe(base, top, radii(), line<W, R>{ray});
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto c = detail::cross_nappe(base, top, radii(), line);
         if (missed(c)) return c;
-        chord<W> slab = detail::cross_cap_planes<W>(base, top, ray);
+        const auto slab = detail::cross_cap_planes(base, top, line);
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
-        keep_if_reachable<T>(ray, c);
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::frustum_surface(base, top, radii(), ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        detail::frustum_surface(at, base, top, radii());
+    }
+
+    template <class Point>
+    RAIO_FN constexpr auto is_close_to_tip(const Point& at) const {
+        return detail::is_close_to_apex(at, base, top);
     }
 
 private:

@@ -36,21 +36,25 @@ struct heightfield {
         return {low, high, vertex(column, row + 1)};
     }
 
-    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         bool found = false;
+        hit_record<T> nearest;
         walk(ray, t_min, t_max, [&](std::size_t i) {
             hit_record<T> candidate;
             // Of equally near triangles the first is hit, in whatever order they are asked.
-            if ((*this)[i].hit(ray, t_min, found ? rec.t : t_max, candidate) &&
-                (!found || candidate.t < rec.t || i < rec.index)) {
-                rec = candidate;
-                rec.index = static_cast<std::uint32_t>(i);
+            if ((*this)[i].hit(ray, t_min, found ? nearest.t : t_max, candidate) &&
+                (!found || candidate.t < nearest.t || i < nearest.index)) {
+                nearest = candidate;
+                nearest.index = static_cast<std::uint32_t>(i);
                 found = true;
             }
-            return found ? rec.t : t_max;
+            return found ? nearest.t : t_max;
         });
-        if (found) rec.uv = position(rec.index, rec.uv);
-        return found;
+        if (!found) return false;
+        nearest.uv = position(nearest.index, nearest.uv);
+        assign(rec, nearest);
+        return true;
     }
 
     mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {

@@ -41,12 +41,12 @@ RAIO_FN constexpr hyperboloid_side<W> one_sheet(T waist_radius, T end_radius) {
 }
 
 /// The side as it is turned about the axis, with h = 0 in the middle and -1/2 and 1/2 at the ends.
-template <class W, class R, real T>
-RAIO_FN constexpr auto one_sheet_on(const line<W, R>& line, const T& waist, const T& end) {
+template <class Line, real T>
+RAIO_FN constexpr auto one_sheet_on(const Line& line, const T& waist, const T& end) {
     const auto w = line.given(waist);
     const auto c0 = w * w;
     const auto c2 = line.given(T(4)) * (line.between(waist, end) * line.between(-waist, end));
-    const zero_number<W> none;
+    const zero_number<typename Line::number> none;
     return turned_conic{c0, none, c2, -(c0 * c2)};
 }
 
@@ -57,48 +57,47 @@ RAIO_FN constexpr T largest_radius(const T& waist, const T& end) {
 }
 
 /// Where the line is inside the endless hyperboloid.
-template <class W, class R, real T, class Side>
-RAIO_FN constexpr hollow_chord<W> cross_endless_hyperboloid(const vec3<T>& base, const vec3<T>& top, const Side& side,
-                                                            const T& radius, const line<W, R>& line) {
+template <class Line, real T, class Side>
+RAIO_FN constexpr auto cross_endless_hyperboloid(const vec3<T>& base, const vec3<T>& top, const Side& side,
+                                                 const T& radius, const Line& line) {
     return cross_quadric(line.direction(), line.to_middle(base, top), line.between(base, top), side,
                          line.given(radius));
 }
 
 /// The crossings with the solid between the caps. (A line that is inside before and after the side's two ends enters it
 /// and leaves it by the caps.)
-template <class W, class R, real T, class Side, class Wanted>
-RAIO_FN constexpr chords_for_t<W, Wanted> cross_capped(const vec3<T>& base, const vec3<T>& top, const Side& side,
-                                                       const T& radius, const line<W, R>& line, const Wanted& wanted) {
-    hollow_chord<W> c = cross_endless_hyperboloid(base, top, side, radius, line);
+template <class Line, real T, class Side, class Wanted>
+RAIO_FN constexpr auto cross_capped(const vec3<T>& base, const vec3<T>& top, const Side& side, const T& radius,
+                                    const Line& line, const Wanted& wanted) {
+    auto c = cross_endless_hyperboloid(base, top, side, radius, line);
     if (missed(c.ends)) return nowhere_at_all<Wanted>(c.ends);
-    auto parts = intersect(c, cross_cap_planes<W>(base, top, line.ray), wanted);
-    keep_if_reachable<T>(line.ray, parts);
+    auto parts = intersect(c, cross_cap_planes(base, top, line), wanted);
+    keep_if_reachable<T>(line, parts);
     return parts;
 }
 
 /// The crossings with the side alone: either counts on its own, if it lies between the two planes.
-template <class W, class R, real T, class Side>
-RAIO_FN constexpr chord<W> cross_side(const vec3<T>& base, const vec3<T>& top, const Side& side, const T& radius,
-                                      const line<W, R>& line) {
-    chord<W> c = cross_endless_hyperboloid(base, top, side, radius, line).ends;
+template <class Line, real T, class Side>
+RAIO_FN constexpr auto cross_side(const vec3<T>& base, const vec3<T>& top, const Side& side, const T& radius,
+                                  const Line& line) {
+    auto c = cross_endless_hyperboloid(base, top, side, radius, line).ends;
     if (missed(c)) return c;
-    chord<W> slab = cross_cap_planes<W>(base, top, line.ray);
+    const auto slab = cross_cap_planes(base, top, line);
     c = {within(slab, c.near), within(slab, c.far)};
-    keep_if_reachable<T>(line.ray, c);
+    keep_if_reachable<T>(line, c);
     return c;
 }
 
-/// What all of them record.
-template <class W, real T, real R, real N>
-RAIO_FN constexpr void hyperboloid_surface(const vec3<T>& base, const vec3<T>& top, T end_radius,
-                                           const hyperboloid_side<W>& side, const ray<R>& ray, const crossing<W>& c,
-                                           hit_record<T, N>& rec) {
+/// What all of them say of a point.
+template <class Point, class W, real T>
+RAIO_FN constexpr void hyperboloid_surface(Point& at, const vec3<T>& base, const vec3<T>& top, T end_radius,
+                                           const hyperboloid_side<W>& side) {
     vec3<W> axis = difference_as<W>(top, base);
     W slope = side.c2 / (side.v * dot(axis, axis));
     axial_surface(
-        base, top, vec2<T>(end_radius), T(side.radius) + norm1(vec3<T>(axis)), ray, c, rec,
+        at, base, top, vec2<T>(end_radius), T(side.radius) + norm1(vec3<T>(axis)),
         [&](const vec3<W>& from_axis, const W& height) { return from_axis - axis * (slope * (height - W(0.5))); });
-    keep_in_bounds(ray, c, rec, [&] { return axial_bounds(base, top, vec2<T>(T(side.radius))); });
+    at.keep_in([&] { return axial_bounds(base, top, vec2<T>(T(side.radius))); });
 }
 
 /// From the least |y| to 1 the area of the side is 4 pi times that below this curve: with rho^2 = c + a y^2 and half
@@ -152,7 +151,8 @@ struct hyperboloid {
     vec3<T> base, top;           ///< the centres of the two caps
     T waist_radius, end_radius;  ///< in the middle and at both ends: lengths, positive
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -176,16 +176,17 @@ struct hyperboloid {
         return detail::sample_capped(base, top, end_radius, detail::one_sheet<double>(waist_radius, end_radius), u);
     }
 
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr chords_for_t<W, Wanted> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        const line<W, R> line{ray};
+    template <class Line, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr chords_for_t<typename Line::number, Wanted> crossings(const Line& line,
+                                                                                 const Wanted& wanted = {}) const {
         return detail::cross_capped(base, top, detail::one_sheet_on(line, waist_radius, end_radius),
                                     detail::largest_radius(waist_radius, end_radius), line, wanted);
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::hyperboloid_surface(base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius), ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        detail::hyperboloid_surface(at, base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius));
     }
 };
 
@@ -197,7 +198,8 @@ struct open_hyperboloid {
     vec3<T> base, top;           ///< the centres of the two rims, which belong to it
     T waist_radius, end_radius;  ///< in the middle and at both ends: lengths, positive
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -218,16 +220,16 @@ struct open_hyperboloid {
         return detail::sample_hyperboloid(base, top, detail::one_sheet<double>(waist_radius, end_radius), u);
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        const line<W, R> line{ray};
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         return detail::cross_side(base, top, detail::one_sheet_on(line, waist_radius, end_radius),
                                   detail::largest_radius(waist_radius, end_radius), line);
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::hyperboloid_surface(base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius), ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        detail::hyperboloid_surface(at, base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius));
     }
 };
 

@@ -19,12 +19,12 @@ namespace raio {
 namespace detail {
 
 /// The chord through the endless paraboloid.
-template <class W, class R, real T>
-RAIO_FN constexpr chord<W> cross_endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, const T& radius,
-                                                    const line<W, R>& line) {
+template <class Line, real T>
+RAIO_FN constexpr auto cross_endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, const T& radius,
+                                                const Line& line) {
     const auto r = line.given(radius);
     const auto c1 = line.given(T(0.5)) * (r * r);
-    const zero_number<W> none;
+    const zero_number<typename Line::number> none;
     return cross_quadric(line.direction(), line.to(vertex), line.between(vertex, top),
                          turned_conic{none, c1, none, c1 * c1}, r)
         .ends;
@@ -45,15 +45,15 @@ RAIO_FN constexpr aabb<T> paraboloid_bounds(const vec3<T>& vertex, const vec3<T>
     return padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)});
 }
 
-/// What both paraboloids record.
-template <class W, real T, real R, real N>
-RAIO_FN constexpr void paraboloid_surface(const vec3<T>& vertex, const vec3<T>& top, T radius, const ray<R>& ray,
-                                          const crossing<W>& c, hit_record<T, N>& rec) {
+/// What both paraboloids say of a point.
+template <class Point, real T>
+RAIO_FN constexpr void paraboloid_surface(Point& at, const vec3<T>& vertex, const vec3<T>& top, T radius) {
+    using W = typename Point::number;
     vec3<W> axis = difference_as<W>(top, vertex);
     vec3<W> down = axis * (W(0.5) * W(radius) * W(radius) / dot(axis, axis));
-    axial_surface(vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)), ray, c, rec,
+    axial_surface(at, vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)),
                   [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });
-    keep_in_bounds(ray, c, rec, [&] { return paraboloid_bounds(vertex, top, radius); });
+    at.keep_in([&] { return paraboloid_bounds(vertex, top, radius); });
 }
 
 /// The area of the side.
@@ -91,7 +91,8 @@ struct paraboloid {
     vec3<T> vertex, top;  ///< the lowest point, and the centre of the cap
     T radius;             ///< of the cap; the paraboloid is missed unless it is positive and vertex and top differ
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -114,18 +115,18 @@ struct paraboloid {
         return disc<T>{top, top - vertex, radius}.sample({(left - side) / (area() - side), u.y});
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> endless = detail::cross_endless_paraboloid(vertex, top, radius, line<W, R>{ray});
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto endless = detail::cross_endless_paraboloid(vertex, top, radius, line);
         if (missed(endless)) return endless;
-        chord<W> c = intersect(endless, detail::cross_upper_plane<W>(vertex, top, ray));
-        keep_if_reachable<T>(ray, c);
+        auto c = intersect(endless, detail::cross_upper_plane(vertex, top, line));
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::paraboloid_surface(vertex, top, radius, ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        detail::paraboloid_surface(at, vertex, top, radius);
     }
 };
 
@@ -137,7 +138,8 @@ struct open_paraboloid {
     vec3<T> vertex, top;  ///< the lowest point, and the centre of the rim, which belongs to it
     T radius;             ///< of the rim; the paraboloid is missed unless it is positive and vertex and top differ
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -155,19 +157,19 @@ struct open_paraboloid {
     }
 
     /// Either crossing counts on its own, if it lies below the rim.
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        chord<W> c = detail::cross_endless_paraboloid(vertex, top, radius, line<W, R>{ray});
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto c = detail::cross_endless_paraboloid(vertex, top, radius, line);
         if (missed(c)) return c;
-        chord<W> slab = detail::cross_upper_plane<W>(vertex, top, ray);
+        const auto slab = detail::cross_upper_plane(vertex, top, line);
         c = {detail::within(slab, c.near), detail::within(slab, c.far)};
-        keep_if_reachable<T>(ray, c);
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::paraboloid_surface(vertex, top, radius, ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        detail::paraboloid_surface(at, vertex, top, radius);
     }
 };
 

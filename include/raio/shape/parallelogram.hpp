@@ -20,7 +20,8 @@ struct parallelogram {
     vec3<T> corner;
     vec3<T> edge_u, edge_v;  ///< the parallelogram is missed if these are parallel
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -37,22 +38,21 @@ struct parallelogram {
         return {corner + edge_u * u.x + edge_v * u.y, normalize(cross(edge_u, edge_v))};
     }
 
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        return crossings(line<W, R>{ray}, wanted);
-    }
-
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line, const Wanted& wanted = {}) const {
+    template <class Line, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr crossing<typename Line::number> crossings(const Line& line,
+                                                                     const Wanted& wanted = {}) const {
         const auto far = [](const auto& u, const auto& v) { return max(u, v); };
         return cross_edges(line, corner, line.given(edge_u), line.given(edge_v), far, wanted);
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
         const auto edge = [this]<class V>(const V&, int i) { return vec3<V>(i == 0 ? edge_u : edge_v); };
-        record_flat(corners(), edge, ray, at, rec);
-        rec.uv = {max(T(0), min(T(1), T(at.u))), max(T(0), min(T(1), T(at.v)))};
+        flat_surface(at, corners(), edge);
+        at.record_uv([&] {
+            const auto in_range = [](const T& x) { return max(T(0), min(T(1), x)); };
+            return vec2<T>(in_range(T(at.crossing().u)), in_range(T(at.crossing().v)));
+        });
     }
 
 private:

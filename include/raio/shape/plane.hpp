@@ -23,7 +23,8 @@ struct plane {
     vec3<T> point;   ///< any point of the plane
     vec3<T> normal;  ///< any length but zero
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -33,28 +34,26 @@ struct plane {
 
     RAIO_FN constexpr aabb<T> bounds() const { return unbounded<T>(); }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
-        return crossings(line<W, R>{ray});
-    }
-
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FORMULA constexpr crossing<typename Line::number> crossings(const Line& line) const {
+        using W = typename Line::number;
         const auto n = line.given(normal);
         const auto to_plane = dot(n, line.to(point));
         const auto speed = dot(n, line.direction());
-        crossing<W> c = crossing_at(is_positive(abs(speed)), to_plane * inverse(speed), speed.value < W(0));
-        keep_if_reachable<T>(line.ray, c);
+        auto c = crossing_at(is_positive(abs(speed)), to_plane * inverse(speed), speed.value < W(0));
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));
-        record_point(ray, c, rec);
-        rec.normal = outward * choose(c.entering, N(1), N(-1));
-        vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - point);
-        rec.uv = {fraction(local.x), fraction(local.y)};
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        at.record_point();
+        at.record_normal(normal);
+        at.record_uv([&] {
+            using Q = working_t<T>;
+            vec3<T> local = frame_about(vec3<T>(normalize_from<T>(vec3<Q>(normal)))).to_local(at.point() - point);
+            return vec2<T>(fraction(local.x), fraction(local.y));
+        });
     }
 };
 

@@ -19,7 +19,6 @@ namespace raio {
 /// Whatever the matrix is, it is a surface: ellipsoids and paraboloids, cylinders and cones with elliptic sections,
 /// hyperboloids, two planes, one, or none. A cone's tip, where the gradient of f vanishes, has the normal against the
 /// ray. x, y, z and uv are as for `algebraic`.
-///
 template <real T, bool Closed = true>
 struct quadric {
     using number = T;
@@ -28,7 +27,8 @@ struct quadric {
     vec3<T> squares{T(0)}, products{T(0)}, linear{T(0)};
     T constant{0};  ///< missed if all ten are zero
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -53,40 +53,27 @@ struct quadric {
         return times(p) * W(2) + vec3<W>(linear);
     }
 
-    template <class W, real R, class Wanted = every_crossing>
+    template <class Line, class Wanted = every_crossing, class W = typename Line::number>
     RAIO_FORMULA constexpr std::conditional_t<Closed, chords_for_t<W, Wanted>, chord<W>> crossings(
-        const ray<R>& ray, [[maybe_unused]] const Wanted& wanted = {}) const {
-        chord<W> clip = box<T>{min, max}.template crossings<W>(ray);
+        const Line& line, [[maybe_unused]] const Wanted& wanted = {}) const {
+        auto clip = box<T>{min, max}.crossings(line);
         const index_t<W> first_of_box(1);
         clip.near.face = clip.near.face + first_of_box, clip.far.face = clip.far.face + first_of_box;
         if constexpr (Closed) {
             if (missed(clip)) return nowhere_at_all<Wanted>(clip);
-            return intersect(cross_endless(line<W, R>{ray}), clip, wanted);
+            return intersect(cross_endless(line), clip, wanted);
         } else {
             if (missed(clip)) return clip;
-            const chord<W> ends = cross_endless(line<W, R>{ray}).ends;
+            const chord<W> ends = cross_endless(line).ends;
             return {detail::within(clip, ends.near), detail::within(clip, ends.far)};
         }
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        const T size = norm1(max - min);
-        record_gradient(ray, c, gradient(vec3<W>(ray.origin) + vec3<W>(ray.direction) * c.t), size, rec);
-        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
-        rec.point = nearest_in(aabb<T>{min, max}, rec.point);
-        vec3<T> place = (rec.point - min) / (max - min);
-        rec.uv = {raio::min(T(1), place.x), raio::min(T(1), place.y)};
-        const mask_t<T> on_box = c.face != index_t<W>(0);
-        if (none(on_box)) return;
-        hit_record<T, N> of_box = rec;
-        crossing<W> on_face = c;
-        on_face.face = c.face - index_t<W>(1);
-        box<T>{min, max}.put_on_face(ray, on_face, of_box);
-        // The point is on the face without any error; but what leaves it has to be certain in double_double that it is
-        // not on f, for which `record_point` asks as much.
-        of_box.error += vec3<T>(size * T(0x1p-72));
-        assign(on_box, rec, of_box);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        at.record_point(norm1(max - min));
+        const auto axis = at.face() - index_t<typename Point::number>(1);
+        detail::clipped_surface(at, aabb<T>{min, max}, axis, [this](const auto& p) { return gradient(p); });
     }
 
 private:
@@ -117,12 +104,16 @@ private:
     /// is, does not matter. With a place p and a step s it is f(p + x s) = a x^2 - 2 b x + c, where
     ///
     ///     a = s.M s,   b = -(p.M s + linear.s / 2),   c = f(p)
-    template <class W, class R>
-    RAIO_FN constexpr hollow_chord<W> cross_endless(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FN constexpr auto cross_endless(const Line& line) const {
+        using W = typename Line::number;
         using E = bound_t<W>;
         // What is close to the origin of a line that starts near the box keeps its digits. Others are seen from where
         // they are nearest to its centre. All of the box lies between x = -4 and 4.
-        const vec3<W> low(min), high(max), o(line.ray.origin), d(line.ray.direction), center = (low + high) * W(0.5);
+        const auto origin = line.origin();
+        const auto direction = line.direction();
+        const vec3<W> o(origin.x, origin.y, origin.z), d(direction.x, direction.y, direction.z);
+        const vec3<W> low(min), high(max), center = (low + high) * W(0.5);
         const vec3<W> away = abs(center - o), wide = (high - low) * W(0.625);
         const mask_t<W> starts_near = every(away.x <= wide.x, away.y <= wide.y, away.z <= wide.z);
         const W over_speed = quotient(W(1), norm1(d), W(0)), size = norm1(high - low);
@@ -141,8 +132,8 @@ private:
         const auto f = [&](const auto& p) {
             return symmetric_product(diagonal, beside, p, p) + raio::dot(first, p) + zeroth;
         };
-        const auto p = line.origin() + line.direction() * place;
-        const auto step = line.direction() * unit;
+        const auto p = origin + direction * place;
+        const auto step = direction * unit;
         const auto a = symmetric_product(diagonal, beside, step, step);
         const auto b = -(symmetric_product(diagonal, beside, p, step) + half * raio::dot(first, step));
         const auto c = f(p);
@@ -150,7 +141,7 @@ private:
                                  is_positive(line.given(wide.z)), is_positive(part), is_positive(unit));
         hollow_chord<W> inside = where_below_zero(
             a, b, square(b) - a * c, sound, W(0) != W(0), [&] { return c; }, [] { return E(4); });
-        move_on(inside, place, unit, [&] { return f(line.origin()); });
+        move_on(inside, place, unit, [&] { return f(origin); });
         return inside;
     }
 };

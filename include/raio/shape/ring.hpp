@@ -13,8 +13,8 @@ namespace detail {
 
 /// Where a line meets a plane, if that is between both rims.
 /// \param to_center  from the point where the line has t = 0
-template <class W, proven_vector N, proven_vector L>
-RAIO_FN constexpr crossing<W> cross_between_rims(const given_vector<W>& d, const N& n, const L& to_center,
+template <class W, proven_vector D, proven_vector N, proven_vector L>
+RAIO_FN constexpr crossing<W> cross_between_rims(const D& d, const N& n, const L& to_center,
                                                  const given_number<W>& inner, const given_number<W>& outer) {
     auto speed = dot(n, d);
     auto t = dot(n, to_center) * inverse(speed);
@@ -40,7 +40,8 @@ struct ring {
     T inner_radius;  ///< not negative
     T outer_radius;  ///< the ring is missed unless this is the larger radius
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -64,28 +65,25 @@ struct ring {
         return {center + f.to_world({rho * cos(phi), rho * sin(phi), T(0)}), f.z};
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
-        return crossings(line<W, R>{ray});
-    }
-
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FORMULA constexpr crossing<typename Line::number> crossings(const Line& line) const {
         return detail::cross_between_rims(line.direction(), line.given(normal), line.to(center),
                                           line.given(inner_radius), line.given(outer_radius));
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        vec3<N> outward(normalize_from<T>(vec3<working_t<N>>(normal)));
-        record_point(ray, c, rec);
-        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
-        put_onto_plane(normal, center, rec);
-        rec.normal = outward * choose(c.entering, N(1), N(-1));
-        vec3<T> local = frame_about(vec3<T>(outward)).to_local(rec.point - center);
-        const T rho = sqrt(local.x * local.x + local.y * local.y);
-        const T across = (rho - inner_radius) / (outer_radius - inner_radius);
-        rec.uv = {turns(local.y, local.x), max(T(0), min(T(1), across))};
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        at.record_point();
+        at.keep_in([this] { return bounds(); });
+        at.put_onto_plane(normal, center);
+        at.record_normal(normal);
+        at.record_uv([&] {
+            vec3<T> up(normalize_from<T>(vec3<working_t<T>>(normal)));
+            vec3<T> local = frame_about(up).to_local(at.point() - center);
+            const T rho = sqrt(local.x * local.x + local.y * local.y);
+            const T across = (rho - inner_radius) / (outer_radius - inner_radius);
+            return vec2<T>(turns(local.y, local.x), max(T(0), min(T(1), across)));
+        });
     }
 };
 

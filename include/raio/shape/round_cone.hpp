@@ -22,7 +22,8 @@ struct round_cone {
     vec3<T> base, top;          ///< the centres of the spheres
     T base_radius, top_radius;  ///< lengths; it is missed unless both are positive, and above 2^-60 of the axis
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -61,46 +62,41 @@ struct round_cone {
         return {base + axis * which + normal * radius, normal};
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        return crossings(line<W, R>{ray});
-    }
-
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
-        chord<W> c = detail::with_round_ends(cross_side(line), low_end(), high_end(), line.ray);
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto c = detail::with_round_ends(cross_side(line), low_end(), high_end(), line);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         auto lesser = line.given(min(base_radius, top_radius));
         auto slim = line.given(T(0x1p-120));
         c = only_if(every(is_positive(lesser), lesser * lesser >= square(line.between(base, top)) * slim), c);
-        const mask_t<W> sound = every(is_finite(base), is_finite(top), is_finite(base_radius + top_radius));
+        const mask_t<T> sound = every(is_finite(base), is_finite(top), is_finite(base_radius + top_radius));
         c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
-        keep_if_reachable<T>(line.ray, c);
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = working_t<N>;
-        vec3<W> axis = difference_as<W>(top, base), step = product_as<W>(ray.direction, c.t);
-        vec3<W> from_base = difference_as<W>(ray.origin, base) + step;
-        vec3<W> from_top = difference_as<W>(ray.origin, top) + step;
-        // Which of the spheres that were swept the point lies on: 0 the base's, 1 the top's.
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        using Q = working_t<T>;
+        vec3<W> axis = difference_as<W>(top, base), from_base = at.from(base);
+        // Which of the swept spheres the point lies on: 0 the base's, 1 the top's.
         W narrowing = W(base_radius) - W(top_radius), axis2 = dot(axis, axis), apart = axis2 - narrowing * narrowing;
         W along = dot(from_base, axis), only = select(narrowing < W(0), W(1), W(0));
         W which = select(apart > W(0), quotient(along - W(base_radius) * narrowing, apart, only), only);
         vec3<W> beside = from_base - axis * max(W(0), which);
-        vec3<N> outward(normalize(vec3<Q>(select(which >= W(1), from_top, beside))));
-        record_point(ray, c, rec, max(base_radius, top_radius));
-        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
-        rec.normal = outward * select(c.entering, N(1), N(-1));
-
-        vec3<T> up(normalize(select(axis2 > W(0), vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1)))));
-        const frame<T> f = frame_about(up);
-        const T size = T(sqrt(axis2)), height = T(quotient(along, sqrt(axis2), dot(from_base, vec3<W>(up))));
-        vec3<T> direction(outward);
-        rec.uv = {turns(dot(direction, f.y), dot(direction, f.x)),
-                  max(T(0), min(T(1), (height + base_radius) / (size + base_radius + top_radius)))};
+        vec3<Q> outward(select(which >= W(1), at.from(top), beside));
+        at.record_point(max(base_radius, top_radius));
+        at.keep_in([this] { return bounds(); });
+        at.record_normal(outward);
+        at.record_uv([&] {
+            vec3<T> up(normalize(select(axis2 > W(0), vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1)))));
+            vec3<T> unit(normalize(outward));
+            const frame<T> f = frame_about(up);
+            const T size = T(sqrt(axis2)), height = T(quotient(along, sqrt(axis2), dot(from_base, vec3<W>(up))));
+            return vec2<T>(turns(dot(unit, f.y), dot(unit, f.x)),
+                           max(T(0), min(T(1), (height + base_radius) / (size + base_radius + top_radius))));
+        });
     }
 
 private:
@@ -129,8 +125,8 @@ private:
     }
 
     /// The chord through the cone that touches both spheres, between the circles where it does.
-    template <class W, real R>
-    RAIO_FN constexpr chord<W> cross_side(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FN constexpr auto cross_side(const Line& line) const {
         const round_cone s = narrow_first();
         auto axis = line.between(s.base, s.top);
         auto l = line.to(s.base);
@@ -141,13 +137,13 @@ private:
         auto axis2 = square(axis);
         auto apart = axis2 - w * w;
         auto scale = axis2 * inverse(apart);
-        zero_number<W> none;
+        zero_number<typename Line::number> none;
         turned_conic cone{scale * (r * r), scale * (r * w), scale * (w * w), none};
-        chord<W> c = detail::one_nappe(cross_quadric(d, l, axis, cone, greater), dot(d, axis));
+        auto c = detail::one_nappe(cross_quadric(d, l, axis, cone, greater), dot(d, axis));
         auto to_base = dot(axis, l) - w * r;
         auto to_top = dot(axis, line.to(s.top)) - w * greater;
         // Spheres that touch from inside leave no side between them.
-        return only_if(is_positive(apart), intersect(c, detail::cross_slab<W>(axis, to_base, to_top, d)));
+        return only_if(is_positive(apart), intersect(c, detail::cross_slab(axis, to_base, to_top, d)));
     }
 };
 

@@ -29,10 +29,17 @@ struct signed_distance {
     T lipschitz;        ///< above 0; 1 for a distance
     Distance distance;  ///< f: takes a vec3<T>, answers with a T, below 0 inside
 
-    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return walk(ray, [&](T t, bool entering) {
             if (!(t_min <= t && t <= t_max)) return false;
-            record(ray, t, entering, rec);
+            const crossing<T> c{true, true, t, T(0), entering};
+            surface_point<T, T, raio::ray<T>, Record> at(ray, c);
+            at.record_point();
+            at.keep_between(box);
+            if constexpr (has_normal<Record> || has_error<Record>) record_slope(at);
+            at.record_uv([] { return vec2<T>(T(0)); });
+            at.fill(rec);
             return true;
         });
     }
@@ -86,21 +93,21 @@ private:
         return inside && visit(f_at(inside_box.max) <= tolerance ? inside_box.max : last, false);
     }
 
-    void record(const ray<T>& ray, T t, bool entering, hit_record<T>& rec) const {
-        record_point_between({box.min, box.max}, ray, crossing<T>{true, true, t, T(0), entering}, rec);
+    template <class Point>
+    void record_slope(Point& at) const {
         const T step = T(std::cbrt(static_cast<double>(unit_roundoff<T>))) * norm1(vec3<T>(box.max - box.min));
         const auto rise = [&](const vec3<T>& along) {
-            return quotient(distance(rec.point + along * step) - distance(rec.point - along * step), T(2) * step, T(0));
+            return quotient(distance(at.point() + along * step) - distance(at.point() - along * step), T(2) * step,
+                            T(0));
         };
         vec3<T> slope(rise({T(1), T(0), T(0)}), rise({T(0), T(1), T(0)}), rise({T(0), T(0), T(1)}));
-        const T steepness = length(slope), side = entering ? T(1) : T(-1);
+        const T steepness = length(slope), side = at.entering() ? T(1) : T(-1);
         const bool flat = !(steepness > T(0) && is_finite(steepness));
-        vec3<T> towards = normalize(ray.direction), facing = flat ? -towards : slope * (side / steepness);
+        vec3<T> towards = normalize(at.direction()), facing = flat ? -towards : slope * (side / steepness);
         // Where the slope is drowned in its error, and points along the ray, it is mirrored.
-        rec.normal = normalize(facing - towards * (T(2) * max(T(0), dot(facing, towards))));
-        rec.uv = vec2<T>(T(0));
+        at.record_facing(normalize(facing - towards * (T(2) * max(T(0), dot(facing, towards)))));
         // From the one end of the tolerance to beyond the other.
-        add_error(rec, T(3) * tolerance / (flat ? lipschitz : steepness));
+        at.add_error(T(3) * tolerance / (flat ? lipschitz : steepness));
     }
 };
 

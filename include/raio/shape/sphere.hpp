@@ -23,7 +23,8 @@ struct sphere {
     vec3<T> center;
     T radius;  ///< a length; the sphere is missed unless it is positive
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -46,27 +47,28 @@ struct sphere {
         return {center + normal * radius, normal};
     }
 
-    template <class W, real R>
-    [[gnu::always_inline]] RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        line<W, R> line{ray};
-        const auto power = [&] {
+    template <class Line>
+    [[gnu::always_inline]] RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        const auto power = [&](const auto& origin) {
+            using W = typename Line::number;
             using D = wide_t<W>;
-            return power_of_point<1, W>(difference_as<D>(center, ray.origin), D(radius));
+            return power_of_point<1, W>(difference_as<D>(center, origin), D(radius));
         };
         return cross_sphere_along(line, line.to(center), line.direction(), line.given(radius), power);
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = working_t<N>;
-        vec3<W> from_center = seen_from(center, ray, c.t);
-        vec3<N> outward(normalize_from<T>(vec3<Q>(from_center)));
-        record_point(ray, c, rec, radius);
-        keep_unrounded_in_bounds(rec, [this] { return bounds(); });
-        rec.normal = outward * select(c.entering, N(1), N(-1));
-        // Angles do not ask for unit length: they need not wait for the root.
-        vec3<T> scaled(vec3<Q>(from_center) * (Q(1) / Q(radius)));
-        rec.uv = {turns(-scaled.z, scaled.x), latitude(scaled.y, sqrt(scaled.x * scaled.x + scaled.z * scaled.z))};
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        auto outward = at.from(center);
+        at.record_point(radius);
+        at.keep_in([this] { return bounds(); });
+        at.record_normal(outward);
+        at.record_uv([&] {
+            using Q = working_t<T>;
+            // Angles do not ask for unit length.
+            vec3<T> unit(vec3<Q>(outward) * (Q(1) / Q(radius)));
+            return vec2<T>(turns(-unit.z, unit.x), latitude(unit.y, sqrt(unit.x * unit.x + unit.z * unit.z)));
+        });
     }
 };
 

@@ -24,7 +24,8 @@ struct steiner {
     vec3<T> center;
     T size;  ///< of the cube around it; missed unless it is positive
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -33,16 +34,17 @@ struct steiner {
     }
 
     /// Inside the lobes.
-    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const requires(std::same_as<mask_t<T>, bool>) {
+        return inside_of(*this, ray);
+    }
 
     RAIO_FN constexpr aabb<T> bounds() const {
         vec3<T> half(size / T(2));
         return padded(padded(aabb<T>{center - half, center + half}));
     }
 
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        const line<W, R> line{ray};
+    template <class Line, class Wanted = every_crossing, class W = typename Line::number>
+    RAIO_FORMULA constexpr crossings_of_degree<W, 4> crossings(const Line& line, const Wanted& wanted = {}) const {
         // The lobes reach as far as their tips at size / 3 (1, 1, 1), which are 0.58 away, and as the cube's faces.
         const auto part = part_near(line, center, vec3<W>(center), W(size) * W(0.5859375));
         if (!part.exists) return crossings_of_degree<W, 4>(part.is_there());
@@ -59,17 +61,21 @@ struct steiner {
         return open_crossings(along(part.point()), part, everywhere<W>(), part.roots_for(wanted), belongs);
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        vec3<W> from_center = seen_from(center, ray, c.t);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        vec3<W> from_center = at.from(center);
         vec3<W> p = from_center * (W(1) / W(size)), squares = p * p;
         vec3<W> gradient(W(2) * p.x * (squares.y + squares.z) - p.y * p.z,
                          W(2) * p.y * (squares.z + squares.x) - p.z * p.x,
                          W(2) * p.z * (squares.x + squares.y) - p.x * p.y);
-        record_gradient(ray, c, gradient, size, rec);
-        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
-        const auto place = [](const W& x) { return raio::max(T(0), raio::min(T(1), T(x + W(0.5)))); };
-        rec.uv = {place(p.x), place(p.y)};
+        at.record_point(size);
+        at.keep_in([this] { return bounds(); });
+        at.record_gradient(gradient);
+        at.record_uv([&] {
+            const auto place = [](const W& x) { return raio::max(T(0), raio::min(T(1), T(x + W(0.5)))); };
+            return vec2<T>(place(p.x), place(p.y));
+        });
     }
 
 private:
@@ -77,7 +83,7 @@ private:
     /// \param point  on its way, as seen from the centre
     template <class W, std::size_t N>
     RAIO_FN constexpr polynomial<W, 4 * N> along(const polynomial_vector<W, N>& point) const {
-        const auto [x, y, z] = point * inverse(line<W>::given(size));
+        const auto [x, y, z] = point * inverse(shape_numbers<W>::given(size));
         const auto x2 = square(x);
         const auto y2 = square(y);
         const auto z2 = square(z);

@@ -26,17 +26,12 @@ struct revolved_piece<T, 1> {
     vec3<T> base, axis;
     vec2<T> from, to;  ///< (radius, height)
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        return crossings(line<W, R>{ray});
-    }
-
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         auto a = line.given(axis);
         auto d = line.direction();
         const auto to_axis_at = [&](const T& height) { return line.to(base) + a * line.given(height); };
-        chord<W> c{};
+        chord<typename Line::number> c{};
         c.far.certain = true;
         if (is_flat()) {
             c.near = cross_between_rims(d, a, to_axis_at(from.y), line.given(min(from.x, to.x)),
@@ -48,44 +43,52 @@ struct revolved_piece<T, 1> {
             c = cross_nappe(line, to_narrow, along, narrow_end().x, wide_end().x);
             if (missed(c)) return c;
             const bool widens = narrow_end().y < wide_end().y;
-            chord<W> slab = widens ? cross_slab<W>(a, dot(a, to_narrow), dot(a, to_wide), d)
-                                   : cross_slab<W>(a, dot(a, to_wide), dot(a, to_narrow), d);
+            const auto slab = widens ? cross_slab(a, dot(a, to_narrow), dot(a, to_wide), d)
+                                     : cross_slab(a, dot(a, to_wide), dot(a, to_narrow), d);
             c = {within(slab, c.near), within(slab, c.far)};
         }
-        keep_if_reachable<T>(line.ray, c);
+        keep_if_reachable<T>(line, c);
         return c;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        if constexpr (lacks_digits<T, W>) {  // close to a tip a double has no digits to spare
-            using E = bound_t<W>;
-            const vec3<W> from_base = raio::seen_from(base, ray, c.t), a(axis);
-            const E size = norm1(vec3<E>(a)),
-                    reach = norm1(vec3<E>(from_base)) + size * max(abs(E(W(from.y))), abs(E(W(to.y))));
-            if (norm1(vec3<E>(cross(from_base, a))) < E(0x1p-8) * size * reach) {
-                return surface(ray, in_more_digits<exact_t<T>>(c), rec);
-            }
-        }
-        const raio::ray<W> moved{difference_as<W>(ray.origin, base), vec3<W>(ray.direction)};
-        const vec3<W> zero(W(0));
-        hit_record<W, N> local;
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        using Q = working_t<T>;
+        const vec3<W> a(axis), start = a * W(from.y), along = is_flat() ? a : a * W(to.y) - start;
+        const vec3<W> from_start = at.from(base) - start;
+        const W height = dot(from_start, along) / dot(along, along);
+        const vec3<W> from_axis = from_start - along * height;
         if (is_flat()) {
-            as_ring(zero).surface(moved, c, local);
-            if (from.x > to.x) local.uv.y = W(1) - local.uv.y;
+            at.record_point();
+            at.put_onto_plane(axis, vec3<T>(vec3<W>(base) + start));
+            at.record_normal(axis);
         } else {
-            as_frustum(zero).surface(moved, c, local);
+            at.record_point(max(from.x, to.x) + norm1(axis) * abs(to.y - from.y));
+            at.record_normal(frustum_gradient(at, along, vec2<T>(from.x, to.x), from_axis, height));
         }
-        record_point(ray, c, rec, is_flat() ? T(0) : max(from.x, to.x) + norm1(axis) * abs(to.y - from.y));
-        if (is_flat()) put_onto_plane(axis, vec3<T>(vec3<W>(base) + vec3<W>(axis) * W(from.y)), rec);
-        rec.normal = local.normal;
-        rec.uv = {min(T(local.uv.x), T(1)), T(local.uv.y)};
+        at.record_uv([&] {
+            const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(a)));
+            const vec3<Q> beside(from_axis);
+            const Q rho = length(beside), low(from.x), part = is_flat() ? (rho - low) / (Q(to.x) - low) : Q(height);
+            return vec2<T>(turns(T(dot(beside, f.y)), T(dot(beside, f.x))), max(T(0), min(T(1), T(part))));
+        });
     }
 
-    RAIO_FN constexpr T area() const { return is_flat() ? as_ring(base).area() : as_frustum(base).area(); }
+    template <class Point>
+    RAIO_FN constexpr auto is_close_to_tip(const Point& at) const {
+        using W = typename Point::number;
+        using E = bound_t<W>;
+        const vec3<W> from_base = at.from(base), a(axis);
+        const E size = norm1(vec3<E>(a)),
+                reach = norm1(vec3<E>(from_base)) + size * max(abs(E(W(from.y))), abs(E(W(to.y))));
+        return norm1(vec3<E>(cross(from_base, a))) < E(0x1p-8) * size * reach;
+    }
+
+    RAIO_FN constexpr T area() const { return is_flat() ? as_ring().area() : as_frustum().area(); }
 
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
-        return is_flat() ? as_ring(base).sample(u) : as_frustum(base).sample(u);
+        return is_flat() ? as_ring().sample(u) : as_frustum().sample(u);
     }
 
 private:
@@ -93,16 +96,11 @@ private:
     RAIO_FN constexpr const vec2<T>& narrow_end() const { return to.x < from.x ? to : from; }
     RAIO_FN constexpr const vec2<T>& wide_end() const { return to.x < from.x ? from : to; }
 
-    /// The shape in the precision of W, as seen from `from_base`.
-    template <real W>
-    RAIO_FN constexpr open_frustum<W> as_frustum(const vec3<W>& from_base) const {
-        const vec3<W> a(axis);
-        return {from_base + a * W(from.y), from_base + a * W(to.y), W(from.x), W(to.x)};
+    RAIO_FN constexpr open_frustum<T> as_frustum() const {
+        return {base + axis * from.y, base + axis * to.y, from.x, to.x};
     }
-    template <real W>
-    RAIO_FN constexpr ring<W> as_ring(const vec3<W>& from_base) const {
-        const vec3<W> a(axis);
-        return {from_base + a * W(from.y), a, W(min(from.x, to.x)), W(max(from.x, to.x))};
+    RAIO_FN constexpr ring<T> as_ring() const {
+        return {base + axis * from.y, axis, min(from.x, to.x), max(from.x, to.x)};
     }
 };
 
@@ -129,21 +127,25 @@ struct surface_of_revolution {
     vec3<T> axis;                  ///< of any length but zero: the unit of heights
     std::vector<vec2<T>> profile;  ///< (radius, height) of 1 + n Degree points, n >= 1; no radius below 0
 
-    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         bool found = false;
         if (segments() == 0) return found;
+        hit_record<T> nearest{};
         auto line = seen_by(ray, t_min, t_max);
         for (std::size_t i = 0; i < segments(); ++i) {
             if (line.passes(bounds_of(i))) continue;
             hit_record<T> candidate;
-            if (!first_hit(segment(i), ray, t_min, found ? rec.t : t_max, candidate)) continue;
-            if (found && !(candidate.t < rec.t)) continue;
-            rec = candidate;
-            rec.index = static_cast<index_t<T>>(i);
-            rec.uv.y = (T(static_cast<double>(i)) + rec.uv.y) / T(static_cast<double>(segments()));
+            if (!first_hit(segment(i), ray, t_min, found ? nearest.t : t_max, candidate)) continue;
+            if (found && !(candidate.t < nearest.t)) continue;
+            nearest = candidate;
+            nearest.index = static_cast<index_t<T>>(i);
             found = true;
-            line.end_at(rec.t);
+            line.end_at(nearest.t);
         }
+        if (!found) return found;
+        nearest.uv.y = (T(static_cast<double>(nearest.index)) + nearest.uv.y) / T(static_cast<double>(segments()));
+        assign(rec, nearest);
         return found;
     }
 
@@ -199,7 +201,7 @@ private:
 
     auto seen_by(const ray<T>& ray, T t_min, T t_max) const {
         const auto whole = detail::profile_bounds<T>::around(profile);
-        return detail::line_beside_axis<working_t<T>>(ray, base, axis, whole, t_min, t_max);
+        return detail::line_beside_axis<working_t<T>>(line_in<working_t<T>>(ray), base, axis, whole, t_min, t_max);
     }
 
     auto segment(std::size_t i) const {

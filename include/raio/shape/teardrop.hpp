@@ -27,7 +27,8 @@ struct teardrop {
     vec3<T> bottom, tip;
     T radius;  ///< where it is widest; missed unless it is positive and bottom and tip differ
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -35,7 +36,9 @@ struct teardrop {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr auto spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+    RAIO_FN constexpr auto spans(const ray<T>& ray) const requires(std::same_as<mask_t<T>, bool>) {
+        return inside_of(*this, ray);
+    }
 
     RAIO_FN constexpr aabb<T> bounds() const {
         vec3<T> axis = tip - bottom;
@@ -44,9 +47,8 @@ struct teardrop {
         return padded(padded(hull(around(bottom), around(tip))));
     }
 
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr crossings_of_degree<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        const line<W, R> line{ray};
+    template <class Line, class Wanted = every_crossing, class W = typename Line::number>
+    RAIO_FORMULA constexpr crossings_of_degree<W, 4> crossings(const Line& line, const Wanted& wanted = {}) const {
         const auto axis = line.between(bottom, tip);
         const auto r = line.given(radius);
         const auto has_size = every(is_positive(r), is_positive(square(r)), is_positive(square(axis)));
@@ -59,11 +61,12 @@ struct teardrop {
         return open_crossings(along(part.point()), part, everywhere<W>(), part.roots_for(wanted));
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = working_t<N>;
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        using Q = working_t<T>;
         vec3<W> axis = difference_as<W>(tip, bottom);
-        vec3<W> p = seen_from(bottom, ray, c.t);
+        vec3<W> p = at.from(bottom);
         W over_axis2 = W(1) / dot(axis, axis), h = dot(p, axis) * over_axis2, below = W(1) - h, r(radius);
         vec3<W> from_axis = p - axis * h;
         // Half the gradient, times the square of the radius.
@@ -72,11 +75,14 @@ struct teardrop {
         Q size = length(vec3<Q>(axis)), slender = size / Q(radius),
           bend = size * (slender * slender + Q(1)) + Q(radius);
         const T most = std::numeric_limits<scalar_t<T>>::max();
-        record_gradient(ray, c, from_axis * W(27) - axis * slope, bend < Q(most) ? T(bend) : most, rec);
-        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
-        const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
-        vec3<Q> beside(from_axis);
-        rec.uv = {turns(T(dot(beside, f.y)), T(dot(beside, f.x))), raio::max(T(0), raio::min(T(1), T(h)))};
+        at.record_point(bend < Q(most) ? T(bend) : most);
+        at.keep_in([this] { return bounds(); });
+        at.record_gradient(from_axis * W(27) - axis * slope);
+        at.record_uv([&] {
+            const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
+            vec3<Q> beside(from_axis);
+            return vec2<T>(turns(T(dot(beside, f.y)), T(dot(beside, f.x))), raio::max(T(0), raio::min(T(1), T(h))));
+        });
     }
 
 private:
@@ -84,10 +90,10 @@ private:
     /// \param p  the point on its way, as seen from the bottom
     template <class W, std::size_t N>
     RAIO_FN constexpr polynomial<W, 4 * N> along(const polynomial_vector<W, N>& p) const {
-        const auto exactly = [](double x) { return line<W>::given(W(x)); };
-        const auto axis = line<W>::between(bottom, tip);
+        const auto exactly = [](double x) { return shape_numbers<W>::given(W(x)); };
+        const auto axis = shape_numbers<W>::between(bottom, tip);
         const auto over_axis2 = inverse(square(axis));
-        const auto over_r2 = inverse(square(line<W>::given(radius)));
+        const auto over_r2 = inverse(square(shape_numbers<W>::given(radius)));
         const auto h = dot(p, axis) * over_axis2;
         const auto below = exactly(1) - h;
         const auto rho2 = square(cross(p, axis)) * over_axis2;

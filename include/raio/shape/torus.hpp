@@ -45,7 +45,8 @@ struct torus {
     T major_radius;  ///< of the circle, positive
     T minor_radius;  ///< of the tube, positive
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -82,9 +83,8 @@ struct torus {
         return {center + outwards * major_radius + normal * minor_radius, normal};
     }
 
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        const line<W, R> line{ray};
+    template <class Line, class Wanted = every_crossing, class W = typename Line::number>
+    RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const Line& line, const Wanted& wanted = {}) const {
         const auto d = line.direction();
         const auto a = line.given(axis);
         const auto l = line.to(center);
@@ -139,27 +139,32 @@ struct torus {
         return list;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        using Q = working_t<N>;
-        vec3<W> p = seen_from(center, ray, c.t), a(axis);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        using Q = working_t<T>;
+        vec3<W> p = at.from(center), a(axis);
         W height = dot(p, a) / dot(a, a), major(major_radius);  // in lengths of the axis
         vec3<W> up = a * height, beside = p - up;
         W rho2 = dot(beside, beside);
         // rho - R, of which a slender tube leaves few digits.
         Q rho = sqrt(Q(rho2)), beyond = Q(rho2 - major * major) / (rho + Q(major));
+
+        at.record_point(major_radius + minor_radius);
+        at.keep_in([this] { return bounds(); });
+        vec3<Q> outward = vec3<Q>(beside) * beyond + vec3<Q>(up) * rho;  // from the circle, times rho
         // Where the tube meets itself on the axis, or as close to it as can be told, it is seen along the axis, against
         // the ray.
-        const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(a)));
-        const bool nowhere = rho <= Q(c.error) * norm1(vec3<Q>(ray.direction));
-        const bool along = (dot(f.z, vec3<Q>(vec3<W>(ray.direction))) > Q(0)) == !c.entering;
-        vec3<Q> from_circle = vec3<Q>(beside) * beyond + vec3<Q>(up) * rho;  // times rho
-        vec3<N> outward(nowhere ? f.z * Q(along ? 1 : -1) : normalize_from<T>(from_circle));
-        record_point(ray, c, rec, major_radius + minor_radius);
-        keep_in_bounds(ray, c, rec, [this] { return bounds(); });
-        rec.normal = outward * select(c.entering, N(1), N(-1));
-        rec.uv = {turns(T(dot(vec3<Q>(beside), f.y)), T(dot(vec3<Q>(beside), f.x))),
-                  turns(T(dot(vec3<Q>(up), f.z)), T(beyond))};
+        if (rho <= Q(at.blur())) {
+            const bool along = (dot(a, at.direction()) > W(0)) == !at.entering();
+            outward = vec3<Q>(along ? a : -a);
+        }
+        at.record_normal(outward);
+        at.record_uv([&] {
+            const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(a)));
+            return vec2<T>(turns(T(dot(vec3<Q>(beside), f.y)), T(dot(vec3<Q>(beside), f.x))),
+                           turns(T(dot(vec3<Q>(up), f.z)), T(beyond)));
+        });
     }
 
 private:
@@ -174,7 +179,7 @@ private:
     RAIO_FN static constexpr void append_outer(const bounded_number<W>& outer, const polynomial_root<W>& root,
                                                const bounded_number<W>& t, crossing_list<W, 4>& list) {
         const auto x = root.place();
-        const auto zero = line<W>::given(W(0));
+        const auto zero = shape_numbers<W>::given(W(0));
         const auto counts = outer >= zero;
         const bool is_outer = list.holds(counts), on_axis = !is_settled(counts), entering = root.before > 0,
                    to_other = root.is_touched() && !entering;
@@ -188,13 +193,14 @@ private:
     }
 
     /// Is f = 0 at p, or at -p, as far as can be told?
-    template <class W, int K, proven_number A>
-    RAIO_FN constexpr bool may_be_on_surface(const rounded_vector<W, K>& p, const A& major2, const A& minor2) const {
-        const auto a = line<W>::given(axis);
+    template <proven_vector P, proven_number A>
+    RAIO_FN constexpr bool may_be_on_surface(const P& p, const A& major2, const A& minor2) const {
+        using W = typename P::number;
+        const auto a = shape_numbers<W>::given(axis);
         const auto a2 = square(a);
         const auto p2 = square(p);
         const auto rho2 = a2 * p2 - square(dot(p, a));  // times A.A
-        return may_be_equal(a2 * square(p2 + (major2 - minor2)), line<W>::given(W(4)) * major2 * rho2);
+        return may_be_equal(a2 * square(p2 + (major2 - minor2)), shape_numbers<W>::given(W(4)) * major2 * rho2);
     }
 
     /// f, times A.A, at the point p as seen from the centre, or at -p.

@@ -21,7 +21,8 @@ struct triangle {
 
     vec3<T> a, b, c;
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -39,23 +40,21 @@ struct triangle {
         return {a + (b - a) * (root * (T(1) - u.y)) + (c - a) * (root * u.y), normalize(cross(b - a, c - a))};
     }
 
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        return crossings(line<W, R>{ray}, wanted);
-    }
-
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line, const Wanted& wanted = {}) const {
+    template <class Line, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr crossing<typename Line::number> crossings(const Line& line,
+                                                                     const Wanted& wanted = {}) const {
         const auto far = [](const auto& u, const auto& v) { return u + v; };
         return cross_edges(line, a, line.between(a, b), line.between(a, c), far, wanted);
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
         const auto edge = [this]<class V>(const V&, int i) { return difference_as<V>(i == 0 ? b : c, a); };
-        record_flat(corners(), edge, ray, at, rec);
-        const T u = max(T(0), min(T(1), T(at.u)));
-        rec.uv = {u, max(T(0), min(T(1) - u, T(at.v)))};
+        flat_surface(at, corners(), edge);
+        at.record_uv([&] {
+            const T u = max(T(0), min(T(1), T(at.crossing().u)));
+            return vec2<T>(u, max(T(0), min(T(1) - u, T(at.crossing().v))));
+        });
     }
 
 private:

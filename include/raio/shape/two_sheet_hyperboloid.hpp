@@ -24,13 +24,13 @@ RAIO_FN constexpr hyperboloid_side<W> two_sheets(T gap, T end_radius) {
 }
 
 /// The side as it is turned about the axis, with h = 0 in the middle and -1/2 and 1/2 at the ends.
-template <class W, class R, real T>
-RAIO_FN constexpr auto two_sheets_on(const line<W, R>& line, const T& gap, const T& end) {
+template <class Line, real T>
+RAIO_FN constexpr auto two_sheets_on(const Line& line, const T& gap, const T& end) {
     const auto g2 = square(line.given(gap));
     const auto scale = square(line.given(end)) * inverse(line.between(gap, T(1)) * line.between(-gap, T(1)));
     const auto c0 = -(g2 * scale);
     const auto c2 = line.given(T(4)) * scale;
-    const zero_number<W> none;
+    const zero_number<typename Line::number> none;
     return turned_conic{c0, none, c2, -(c0 * c2)};
 }
 
@@ -51,7 +51,8 @@ struct two_sheet_hyperboloid {
     T gap;              ///< between the two vertices, of the axis: between 0 and 1
     T end_radius;       ///< at both ends, positive
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -73,16 +74,17 @@ struct two_sheet_hyperboloid {
         return detail::sample_capped(base, top, end_radius, detail::two_sheets<double>(gap, end_radius), u);
     }
 
-    template <class W, real R, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr chords_for_t<W, Wanted> crossings(const ray<R>& ray, const Wanted& wanted = {}) const {
-        const line<W, R> line{ray};
+    template <class Line, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr chords_for_t<typename Line::number, Wanted> crossings(const Line& line,
+                                                                                 const Wanted& wanted = {}) const {
         return detail::cross_capped(base, top, detail::two_sheets_on(line, gap, end_radius),
                                     detail::radius_beyond(gap, end_radius), line, wanted);
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::hyperboloid_surface(base, top, end_radius, detail::two_sheets<W>(gap, end_radius), ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        detail::hyperboloid_surface(at, base, top, end_radius, detail::two_sheets<W>(gap, end_radius));
     }
 };
 
@@ -95,7 +97,8 @@ struct open_two_sheet_hyperboloid {
     T gap;              ///< between the two vertices, of the axis: between 0 and 1
     T end_radius;       ///< at both ends, positive
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -114,16 +117,16 @@ struct open_two_sheet_hyperboloid {
         return detail::sample_hyperboloid(base, top, detail::two_sheets<double>(gap, end_radius), u);
     }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr chord<W> crossings(const ray<R>& ray) const {
-        const line<W, R> line{ray};
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         return detail::cross_side(base, top, detail::two_sheets_on(line, gap, end_radius),
                                   detail::radius_beyond(gap, end_radius), line);
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& c, hit_record<T, N>& rec) const {
-        detail::hyperboloid_surface(base, top, end_radius, detail::two_sheets<W>(gap, end_radius), ray, c, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        using W = typename Point::number;
+        detail::hyperboloid_surface(at, base, top, end_radius, detail::two_sheets<W>(gap, end_radius));
     }
 };
 

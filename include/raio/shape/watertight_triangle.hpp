@@ -24,7 +24,8 @@ struct watertight_triangle {
 
     vec3<T> a, b, c;
 
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
+    template <record Record>
+    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
         return first_hit(*this, ray, t_min, t_max, rec);
     }
 
@@ -36,34 +37,31 @@ struct watertight_triangle {
     RAIO_FN constexpr T area() const { return as_triangle().area(); }
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_triangle().sample(u); }
 
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const ray<R>& ray) const {
-        return crossings(line<W, R>{ray});
-    }
-
-    template <class W, real R>
-    RAIO_FORMULA constexpr crossing<W> crossings(const line<W, R>& line) const {
+    template <class Line>
+    RAIO_FORMULA constexpr crossing<typename Line::number> crossings(const Line& line) const {
         // A rotation of the coordinates that makes the largest component of the direction the last one.
-        const vec3<R> along_axes = abs(line.ray.direction);
-        const mask_t<R> last_is_x = along_axes.x > along_axes.y && along_axes.x > along_axes.z;
-        const mask_t<R> last_is_y = !last_is_x && along_axes.y > along_axes.z;
-        const auto turned = [&]<real N>(const vec3<N>& v) {
-            return vec3<N>(select(last_is_x, v.y, select(last_is_y, v.z, v.x)),
-                           select(last_is_x, v.z, select(last_is_y, v.x, v.y)),
-                           select(last_is_x, v.x, select(last_is_y, v.y, v.z)));
+        using W = typename Line::number;
+        const auto direction = line.direction();
+        const vec3<W> along_axes = abs(vec3<W>(direction.x, direction.y, direction.z));
+        const mask_t<W> last_is_x = along_axes.x > along_axes.y && along_axes.x > along_axes.z;
+        const mask_t<W> last_is_y = !last_is_x && along_axes.y > along_axes.z;
+        const auto turned = [&](auto v) {
+            const W x = v.x, y = v.y;
+            v.x = select(last_is_x, y, select(last_is_y, v.z, x));
+            v.y = select(last_is_x, v.z, select(last_is_y, x, y));
+            v.z = select(last_is_x, x, select(last_is_y, y, v.z));
+            return v;
         };
-        const raio::ray<R> turned_ray{turned(line.ray.origin), turned(line.ray.direction)};
-        const raio::line<W, R> along{turned_ray};
-        const auto d = along.direction();
+        const auto d = turned(direction);
         const auto over_z = inverse(z_of(d));
         const auto slope = d * over_z;
-        const auto sheared = [&](const vec3<T>& corner) { return shear(along.to(turned(corner)), slope); };
+        const auto sheared = [&](const vec3<T>& corner) { return shear(turned(line.to(corner)), slope); };
         const auto p = sheared(a);
         const auto q = sheared(b);
         const auto r = sheared(c);
         // Where the shear leaves too few digits, the volumes between edges and ray say the same.
         const auto volume = [&](const auto& first, const auto& second) {
-            return determinant(line.direction(), first, second) * over_z;
+            return determinant(direction, first, second) * over_z;
         };
         const auto side = [&](const auto& of_shear, const vec3<T>& from, const vec3<T>& to) {
             return closer(of_shear, [&] { return volume(line.to(from), line.to(to)); });
@@ -90,9 +88,9 @@ struct watertight_triangle {
         return at;
     }
 
-    template <class W, real R, real N>
-    RAIO_FN constexpr void surface(const ray<R>& ray, const crossing<W>& at, hit_record<T, N>& rec) const {
-        as_triangle().surface(ray, at, rec);
+    template <class Point>
+    RAIO_FN constexpr void surface(Point& at) const {
+        as_triangle().surface(at);
     }
 
 private:

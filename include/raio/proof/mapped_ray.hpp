@@ -1,0 +1,212 @@
+#pragma once
+
+#include <raio/math/transform.hpp>
+#include <raio/proof/line.hpp>
+
+/// \file
+/// Rays as a shape under affine maps sees them.
+///
+/// The point o + t d lies on the image of a shape where M^-1 of it lies on the shape, at the same t:
+///
+///     M^-1 (o + t d) = L^-1 (o - M's origin) + t L^-1 d,    L the linear part of M
+///
+/// So a ray is mapped back, its direction not normalised, and t needs no mapping at all. What is rounded on the way is
+/// an error of the line that the shape's formula is given.
+
+namespace raio {
+
+/// An affine map that rays are mapped back by, and its inverse.
+template <real T>
+class inverse_map {
+    using Q = working_t<T>;
+
+    /// The rows of the inverse of L. What a row of numbers v makes of it is off by what v is off, times `size`, and by
+    /// what v measures, times `off`.
+    template <class W>
+    struct rows {
+        given_vector<W> x, y, z;
+        bound_t<W> size, off;
+
+        template <proven_vector V>
+        RAIO_FN constexpr bounded_vector<W> operator()(const V& v) const {
+            const auto along = [&](const given_vector<W>& row) {
+                return detail::sum_of_products(row.x, v.x, row.y, v.y, row.z, v.z);
+            };
+            const bound_t<W> error = detail::error_of(v);
+            return {along(x), along(y), along(z), off * (size_of(v) + error) + size * error};
+        }
+    };
+
+public:
+    /// Of a singular map, or one whose determinant is out of the range of its numbers, the inverse is zero: nothing is
+    /// hit under it.
+    RAIO_FN constexpr explicit inverse_map(const transform<T>& map) : map_(map), rows_(rows_in<Q>(map)) {}
+
+    RAIO_FN constexpr const transform<T>& map() const { return map_; }
+
+    template <class Line>
+    RAIO_FN constexpr auto operator()(const Line& line) const {
+        using W = typename Line::number;
+        if constexpr (std::same_as<W, Q>) {
+            return mapped_line<W>{rows_(line.from(map_.origin)), rows_(line.direction())};
+        } else {
+            const rows<W> closer = rows_in<W>(map_);
+            return mapped_line<W>{closer(line.from(map_.origin)), closer(line.direction())};
+        }
+    }
+
+    /// How a vector across a surface goes the other way: by the transpose of L^-1, which turns none of them inside out
+    /// (Turkowski, Graphics Gems, 1990).
+    RAIO_FN constexpr vec3<Q> across(const vec3<Q>& n) const {
+        const auto& [x, y, z, size, off] = rows_;
+        return {x.x * n.x + y.x * n.y + z.x * n.z, x.y * n.x + y.y * n.y + z.y * n.z,
+                x.z * n.x + y.z * n.y + z.z * n.z};
+    }
+
+    RAIO_FN constexpr vec3<Q> point(const vec3<Q>& p) const { return map_.linear(p) + vec3<Q>(map_.origin); }
+
+    /// How long a length can become.
+    RAIO_FN constexpr T stretched(const T& length) const {
+        return length * (norm1(map_.x) + norm1(map_.y) + norm1(map_.z));
+    }
+
+private:
+    /// The reciprocal basis of the columns a, b, c of L: b x c, c x a and a x b, over the determinant a.(b x c).
+    template <class W>
+    RAIO_FN static constexpr rows<W> rows_in(const transform<T>& map) {
+        using X = exact_t<T>;
+        const auto given = [](const vec3<T>& v) { return given_vector<X>{X(v.x), X(v.y), X(v.z)}; };
+        auto a = given(map.x), b = given(map.y), c = given(map.z);
+        auto b_c = cross(b, c), c_a = cross(c, a), a_b = cross(a, b);
+        auto over_det = inverse(dot(a, b_c));
+        constexpr given_vector<W> zero{W(0), W(0), W(0)};
+        rows<W> inverse{zero, zero, zero, bound_t<W>(0), bound_t<W>(0)};
+        if (!(is_finite(over_det.value) && is_finite(over_det.error))) return inverse;
+        const auto add = [&](const bounded_vector<X>& row) {
+            using E = bound_t<W>;
+            const E size(size_of(row));
+            inverse.size += size;
+            // One rounding to W, three when it is multiplied.
+            inverse.off += E(detail::rounded_up<X>(row.error)) + detail::roundings<W>(4, size);
+            return given_vector<W>{W(row.x), W(row.y), W(row.z)};
+        };
+        inverse.x = add(b_c * over_det), inverse.y = add(c_a * over_det), inverse.z = add(a_b * over_det);
+        return inverse;
+    }
+
+    transform<T> map_;
+    rows<Q> rows_;
+};
+
+/// A ray of T, and the maps that lead to the shape that is asked.
+template <real T>
+class mapped_ray {
+    using Q = working_t<T>;
+
+public:
+    /// Both have to live longer than this.
+    RAIO_FN constexpr mapped_ray(const ray<T>& world, const inverse_map<T>& map)
+        : world_(world), map_(map), quick_(map(raio::line<Q, T>{world})) {}
+    RAIO_FN constexpr mapped_ray(const mapped_ray& outer, const inverse_map<T>& map)
+        : world_(outer.world_), outer_(&outer), map_(map), quick_(map(outer.quick_)) {}
+
+    /// The ray as it was before all maps.
+    RAIO_FN constexpr const ray<T>& world() const { return world_; }
+
+    /// The ray that a shape sees which knows no other rays.
+    RAIO_FN constexpr ray<T> rounded() const {
+        const auto in_t = [](const bounded_vector<Q>& v) { return vec3<T>(T(v.x), T(v.y), T(v.z)); };
+        return {in_t(quick_.origin()), in_t(quick_.direction())};
+    }
+
+    /// The line that the shape sees, in numbers of W.
+    template <class W>
+    RAIO_FN constexpr mapped_line<W> line() const {
+        if constexpr (std::same_as<W, Q>) {
+            return quick_;
+        } else if constexpr (!std::same_as<W, scalar_t<W>>) {  // in every lane of a pack
+            const auto in_lanes = [](const Q& x) { return W(scalar_t<W>(static_cast<double>(x))); };
+            const auto spread = [&](const bounded_vector<Q>& v) {
+                return bounded_vector<W>{in_lanes(v.x), in_lanes(v.y), in_lanes(v.z), bound_t<W>(in_lanes(v.error))};
+            };
+            return {spread(quick_.origin()), spread(quick_.direction())};
+        } else {
+            return outer_ == nullptr ? map_(raio::line<W, T>{world_}) : map_(outer_->template line<W>());
+        }
+    }
+
+    /// A point of the shape, as it is seen.
+    RAIO_FN constexpr vec3<Q> point(const vec3<Q>& p) const {
+        const vec3<Q> mapped = map_.point(p);
+        return outer_ == nullptr ? mapped : outer_->point(mapped);
+    }
+
+    /// A vector across the shape's surface, as it is across that which is seen.
+    RAIO_FN constexpr vec3<Q> across(const vec3<Q>& n) const {
+        const vec3<Q> mapped = map_.across(n);
+        return outer_ == nullptr ? mapped : outer_->across(mapped);
+    }
+
+    /// How long a length of the shape's can be, as it is seen.
+    RAIO_FN constexpr T stretched(const T& length) const {
+        const T mapped = map_.stretched(length);
+        return outer_ == nullptr ? mapped : outer_->stretched(mapped);
+    }
+
+private:
+    const ray<T>& world_;
+    const mapped_ray* outer_ = nullptr;
+    const inverse_map<T>& map_;
+    mapped_line<Q> quick_;
+};
+
+/// The components, without their errors.
+template <proven_vector V>
+RAIO_FN constexpr vec3<typename V::number> vector_in(const V& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// Its line in numbers of W.
+template <class W, real T>
+RAIO_FN constexpr mapped_line<W> line_in(const mapped_ray<T>& ray) {
+    return ray.template line<W>();
+}
+
+/// The same questions put to a ray as it is and to one that was mapped: as whom it has been asked for, where it starts
+/// and where it goes as the shape sees it, and the point at t as seen from p.
+template <real T>
+RAIO_FN constexpr const ray<T>& unmapped(const ray<T>& ray) {
+    return ray;
+}
+template <real T>
+RAIO_FN constexpr const ray<T>& unmapped(const mapped_ray<T>& ray) {
+    return ray.world();
+}
+template <class W, class Ray>
+RAIO_FN constexpr vec3<W> origin_as(const Ray& ray) {
+    return vector_in(line_in<W>(ray).origin());
+}
+template <class W, class Ray>
+RAIO_FN constexpr vec3<W> direction_as(const Ray& ray) {
+    return vector_in(line_in<W>(ray).direction());
+}
+template <class W, real T, real V>
+RAIO_FN constexpr vec3<W> seen_from(const vec3<V>& p, const mapped_ray<T>& ray, const W& t) {
+    const auto line = line_in<W>(ray);
+    return vector_in(line.from(p)) + vector_in(line.direction()) * t;
+}
+
+namespace detail {
+
+template <class Ray>
+inline constexpr bool is_mapped = false;
+template <class T>
+inline constexpr bool is_mapped<mapped_ray<T>> = true;
+
+}  // namespace detail
+
+/// A ray of T, as it is or mapped.
+template <class Ray, class T>
+concept ray_of = std::same_as<Ray, ray<T>> || std::same_as<Ray, mapped_ray<T>>;
+
+}  // namespace raio
