@@ -26,7 +26,7 @@ void check_raises_none(int exceptions) {
     using T = number_t<Shape>;
     for_random_probes<Shape>("floating-point exceptions", test_rays / 20, [&](const probe<Shape>& p, random_numbers&) {
         std::feclearexcept(FE_ALL_EXCEPT);
-        hit_record<T> rec;
+        hit_record<T> rec{};
         const bool hit = p.hit(rec), occluded = p.shape.occluded(p.ray, p.t_min, p.t_max);
         const bool raised = std::fetestexcept(exceptions) != 0;
         CHECK(hit == occluded);

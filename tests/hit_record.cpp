@@ -54,7 +54,7 @@ TEST_CASE_TEMPLATE("spawn_ray: moves off a point at the origin that is exact", T
 
 TEST_CASE_TEMPLATE("spawn_ray: a layer 4e-5 behind another is not skipped", T, RAIO_NUMBERS) {
     const disc<T> front{{0, 0, 0}, {0, 0, 1}, 1}, behind{{0, 0, T(-4e-5)}, {0, 0, 1}, 1};
-    hit_record<T> rec, next;
+    hit_record<T> rec{}, next{};
     REQUIRE(front.hit({{3, 2, 9}, {-3, -2, -9}}, T(0), infinity<T>, rec));
     const ray<T> spawned = spawn_ray(rec, {0, 0, -1});
     CHECK(!front.occluded(spawned, T(0), infinity<T>));

@@ -53,7 +53,7 @@ std::uint64_t checksum_of_hits(int rays, Make make) {
     checksum sum;
     for (int i = 0; i < rays; ++i) {
         const auto shape = make(numbers);
-        hit_record<T> rec;
+        hit_record<T> rec{};
         if (!shape.hit(numbers.aimed_ray<T>(), T(0), infinity<T>, rec)) continue;
         sum.add(rec);
     }
@@ -74,7 +74,7 @@ std::uint64_t checksum_of_packs(int rays, Make make) {
             const ray<T> r = numbers.aimed_ray<T>();
             detail::set_lane(along.origin, lane, r.origin), detail::set_lane(along.direction, lane, r.direction);
         }
-        hit_record<P> rec;
+        hit_record<P> rec{};
         const auto hit = shapes.shapes().hit(along, P(0), P(infinity<T>), rec);
         for (std::size_t lane = 0; lane < P::lanes; ++lane) {
             if (hit[lane]) sum.add(detail::in_lane<P>(rec, lane));

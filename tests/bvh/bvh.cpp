@@ -62,7 +62,7 @@ void check_aimed(const std::vector<sphere<T>>& shapes, bvh_quality quality) {
     for (const sphere<T>& s : shapes) {
         for (const vec3<T>& side : {vec3<T>(1, 2, 3), vec3<T>(-3, 0, 0), vec3<T>(0, 0, 0)}) {
             const ray<T> ray{s.center + side * s.radius, vec3<T>(-1, -2, -3) * s.radius};
-            hit_record<T> expected, found;
+            hit_record<T> expected{}, found{};
             const bool hit = loop.hit(ray, T(0), infinity<T>, expected);
             REQUIRE(tree.hit(ray, T(0), infinity<T>, found) == hit);
             REQUIRE(same(found, expected));
@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("bvh: few shapes, one, or none", T, RAIO_NUMBERS) {
         for (const bvh_quality quality : qualities) check_aimed(shapes, quality);
     }
     const bvh<sphere<T>> none(std::span<const sphere<T>>{});
-    hit_record<T> rec;
+    hit_record<T> rec{};
     CHECK(!none.hit({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(!none.occluded({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>));
     CHECK(!none.bounds().contains({0, 0, 0}));
@@ -98,7 +98,7 @@ TEST_CASE_TEMPLATE("bvh: numbers far from 1", T, RAIO_NUMBERS) {
             question<T> q(random);
             q.ray.origin *= by;
             if (random.one_in(2)) q.ray.direction *= by;
-            hit_record<T> expected, found;
+            hit_record<T> expected{}, found{};
             const bool hit = loop.hit(q.ray, T(0), infinity<T>, expected);
             REQUIRE(tree.hit(q.ray, T(0), infinity<T>, found) == hit);
             REQUIRE(same(found, expected));
@@ -114,7 +114,7 @@ TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index (one 
         CHECK_THROWS_WITH_AS(bvh{shapes}, "raio::bvh: shape 17 has no finite bounds", std::invalid_argument);
     }
     shapes[17] = {{0, 0, 0}, -1};  // without any point: left out
-    hit_record<T> rec;
+    hit_record<T> rec{};
     CHECK(!bvh{shapes}.hit({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(bvh{shapes}.hit({{1, 2, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(rec.index == 0);
@@ -183,7 +183,7 @@ TEST_CASE_TEMPLATE("bvh: a crossing at infinity is none (packs took it for one b
     const T far = is_float ? T(0x1p70) : T(0x1p600), slow = is_float ? T(0x1p-60) : T(0x1p-500);
     const std::vector<sphere<T>> shapes{{{far, 0, 0}, far / 2}, {{-far, 0, 0}, 1}};
     const ray<T> along{{0, 0, 0}, {slow, 0, 0}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     CHECK(!group{shapes}.hit(along, T(0), infinity<T>, rec));
     CHECK(!bvh{shapes}.hit(along, T(0), infinity<T>, rec));
     CHECK(!bvh{shapes}.occluded(along, T(0), infinity<T>));
@@ -193,7 +193,7 @@ TEST_CASE_TEMPLATE("bvh: nor is one at minus infinity (packs took that for the o
                    RAIO_NUMBERS) {
     const std::vector<box<T>> shapes{{{-1, -1, -1}, {1, 1, 1}}, {{-2, -2, -2}, {2, 2, 2}}};
     const ray<T> hardly_moving{{0, 0, 0}, vec3<T>(std::numeric_limits<T>::denorm_min())};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     CHECK(!bvh{shapes}.hit(hardly_moving, -infinity<T>, T(1), rec));
     CHECK(!bvh{shapes}.occluded(hardly_moving, -infinity<T>, T(1)));
 }
@@ -201,7 +201,7 @@ TEST_CASE_TEMPLATE("bvh: nor is one at minus infinity (packs took that for the o
 TEST_CASE("bvh: a sphere whose radius has no square is met as one of its own (the tree met it, the loop did not)") {
     const std::vector<sphere<double>> shapes{{{0, -0x1p531, 0}, 0x1.4p567}, {{0x1p567, 0, 0x1p567}, 1}};
     const ray<double> along{{0x1p-349, 0x1p-349, 0}, {0x1p-351, 0, 0}};
-    hit_record<double> expected, found;
+    hit_record<double> expected{}, found{};
     REQUIRE(group{shapes}.hit(along, 0.0, infinity<double>, expected));
     REQUIRE(bvh{shapes}.hit(along, 0.0, infinity<double>, found));
     CHECK((same(found, expected) && found.t == doctest::Approx(0x1.4p918)));

@@ -11,7 +11,7 @@ namespace raio::test {
 namespace {
 
 hit_record<float> record(float t, std::uint32_t index) {
-    hit_record<float> rec;
+    hit_record<float> rec{};
     rec.t = t, rec.index = index;
     return rec;
 }

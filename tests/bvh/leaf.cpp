@@ -95,7 +95,7 @@ TEST_CASE_TEMPLATE("leaf_blocks: a ray that was mapped, which has more digits th
         for (unsigned lane = 0; lane < 2; ++lane) {
             const bool is_sure = (found.sure >> lane & 1) != 0, is_open = (found.open >> lane & 1) != 0;
             sure += is_sure ? 1 : 0, open += is_open ? 1 : 0;
-            hit_record<T> rec;
+            hit_record<T> rec{};
             const bool hit = first_hit(leaves.shape(0, lane), r, T(0), infinity<T>, rec);
             REQUIRE((is_open || hit == is_sure));
             REQUIRE((!is_sure || (found.low[lane] <= rec.t && rec.t <= found.high[lane])));

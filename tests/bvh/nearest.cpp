@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("nearest: what a loop finds, whatever packs know", T, RAIO_NU
                                (m.shape.t == expected->shape.t && m.id < expected->id);
             if (first) expected = &m;
         }
-        hit_record<T> rec;
+        hit_record<T> rec{};
         rec.t = T(77), rec.index = 77;
         nearest_mark<T> query(leaves, along, t_min, t_max, rec);
         const std::size_t most = std::max(std::get<0>(leaves.all).leaves.size(), std::get<1>(leaves.all).leaves.size());
@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("nearest: nobody but the nearest is asked where packs can tel
     std::get<0>(leaves.all).leaves = {{at(5, 0, true), at(3, 1, true), at(4, 2, true)}, {at(6, 3, true)}};
     std::get<1>(leaves.all).leaves = {{at(2, 4, true)}, {at(1, 5, false), at(7, 6, false)}};
     const ray<T> along{{0, 0, 0}, {1, 0, 0}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     nearest_mark<T> query(leaves, along, T(0), infinity<T>, rec);
     CHECK(query.farthest() == infinity<T>);
     query.template visit<0>(0);
@@ -165,7 +165,7 @@ TEST_CASE("nearest: a ray that was mapped, of shapes that have packs or none") {
     const auto check = [&](const ray<float>& world, const vec3<float>& moved, auto& shape, std::uint32_t index) {
         const inverse_map<float> map(translation<float>(moved));
         const mapped_ray<float> ray(world, map);
-        hit_record<float> rec, expected;
+        hit_record<float> rec{}, expected{};
         detail::nearest<float, kinds, mapped_ray<float>, hit_record<float>> query(leaves, ray, 0.0f, infinity<float>,
                                                                                   rec);
         query.visit<0>(0), query.visit<1>(0);

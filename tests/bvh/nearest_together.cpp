@@ -39,7 +39,7 @@ template <class T, class Shape>
 void ask_all(const std::vector<Shape>& shapes, std::uint32_t first_id, const ray<T>& ray, T t_min, bool& exists,
              hit_record<T>& nearest, T t_max) {
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         if (!shapes[i].hit(ray, t_min, t_max, rec)) continue;
         if (exists && !(rec.t < nearest.t)) continue;
         exists = true, nearest = rec, nearest.index = first_id + i;
@@ -81,7 +81,7 @@ TEST_CASE_TEMPLATE("nearest_together: what each ray finds alone, whoever is in t
         const std::uint64_t found = query.finish();
         REQUIRE((found & ~of) == 0);
         for (std::size_t k = 0; k < rays.size(); ++k) {
-            hit_record<T> expected;
+            hit_record<T> expected{};
             expected.t = T(77);
             bool exists = false;
             if ((of >> k & 1) != 0) {

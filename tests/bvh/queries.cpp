@@ -44,7 +44,7 @@ TEST_CASE_TEMPLATE("bvh: refit to another scale, and of a tree without shapes", 
     for (int i = 0; i < at_least(1000); ++i) {
         question<T> q(random);
         q.ray.origin *= by;
-        hit_record<T> expected, found;
+        hit_record<T> expected{}, found{};
         const bool hit = group{shapes}.hit(q.ray, T(0), infinity<T>, expected);
         REQUIRE(tree.hit(q.ray, T(0), infinity<T>, found) == hit);
         REQUIRE(same(found, expected));
@@ -65,7 +65,7 @@ TEST_CASE("bvh: small triangles make no subnormal numbers, which cost a trap eac
         for (int i = 0; i < 1000; ++i) {
             ray<float> ray{within<float>(random, 4 * size), {0, 0, 0}};
             ray.direction = within<float>(random, size) - ray.origin;
-            hit_record<float> rec;
+            hit_record<float> rec{};
             std::feclearexcept(FE_UNDERFLOW);
             hits += tree.hit(ray, 0, infinity<float>, rec) ? 1 : 0;
             REQUIRE_MESSAGE(std::fetestexcept(FE_UNDERFLOW) == 0, size, ", ", i);
@@ -124,7 +124,7 @@ TEST_CASE_TEMPLATE("bvh: many rays at once, as each of them alone", T, RAIO_NUMB
         const std::uint64_t hit = tree.hit(std::span<const ray<T>>(rays), first.t_min, first.t_max, found);
         const std::uint64_t occluded = tree.occluded(std::span<const ray<T>>(rays), first.t_min, first.t_max);
         for (std::size_t j = 0; j < rays.size(); ++j) {
-            hit_record<T> expected;
+            hit_record<T> expected{};
             REQUIRE(tree.hit(rays[j], first.t_min, first.t_max, expected) == ((hit >> j & 1) != 0));
             REQUIRE(same(found[j], expected));
             REQUIRE(tree.occluded(rays[j], first.t_min, first.t_max) == ((occluded >> j & 1) != 0));
@@ -162,7 +162,7 @@ TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, 
             for (std::size_t k = 1; k < std::size_t(corners); ++k) target += ball.vertices[t[k]];
             target /= T(corners);
             const vec3<T> from = within<T>(random, 0.5);
-            hit_record<T> expected, found;
+            hit_record<T> expected{}, found{};
             REQUIRE(tree.hit({from, target - from}, T(0), infinity<T>, found));
             REQUIRE(ball.hit({from, target - from}, T(0), infinity<T>, expected));
             REQUIRE(same(found, expected));
@@ -175,7 +175,7 @@ TEST_CASE_TEMPLATE("bvh: a mesh is the loop over its triangles, and closed", T, 
     bvh<mesh_triangle<T>> moving(ball);
     for (vec3<T>& v : ball.vertices) v *= T(2);
     moving.refit(ball);
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(moving.hit({{0, 0, 0}, ball.vertices[0]}, T(0), infinity<T>, rec));
     CHECK(rec.t == doctest::Approx(1));
     ball.triangles[7][1] = 162;
@@ -191,7 +191,7 @@ TEST_CASE_TEMPLATE("bvh: crossings in order, the nearest few, and a filter", T, 
             const question<T> q(random);
             std::vector<hit_record<T>> expected;
             for (std::uint32_t j = 0; j < shapes.size(); ++j) {
-                hit_record<T> rec;
+                hit_record<T> rec{};
                 for (T from = q.t_min; shapes[j].hit(q.ray, from, q.t_max, rec);
                      from = std::nextafter(rec.t, infinity<T>)) {
                     rec.index = j;
@@ -207,7 +207,7 @@ TEST_CASE_TEMPLATE("bvh: crossings in order, the nearest few, and a filter", T, 
 
             const auto even = [](const hit_record<T>& rec) { return rec.index % 2 == 0 && !rec.front_face; };
             const auto first = std::ranges::find_if(expected, even);
-            hit_record<T> rec;
+            hit_record<T> rec{};
             REQUIRE(tree.hit(q.ray, q.t_min, q.t_max, rec, even) == (first != expected.end()));
             REQUIRE(tree.occluded(q.ray, q.t_min, q.t_max, even) == (first != expected.end()));
             REQUIRE(same(rec, first != expected.end() ? *first : hit_record<T>{}));
@@ -233,7 +233,7 @@ TEST_CASE_TEMPLATE("bvh: spans are those of the group, and csg takes the tree fo
             REQUIRE(std::ranges::equal(inside, expected));
             found += int(inside.count);
 
-            hit_record<T> rec, of_group;
+            hit_record<T> rec{}, of_group{};
             REQUIRE(holes_of_tree.hit(q.ray, q.t_min, q.t_max, rec) == holes.hit(q.ray, q.t_min, q.t_max, of_group));
             REQUIRE(same(rec, of_group));
             hits += rec.t > 0;

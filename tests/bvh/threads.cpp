@@ -20,7 +20,7 @@ namespace {
 template <class T>
 struct answer {
     bool hit, occluded;
-    hit_record<T> rec;
+    hit_record<T> rec{};
 
     template <class Scene>
     answer(const Scene& scene, const question<T>& q)

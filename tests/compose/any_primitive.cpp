@@ -37,7 +37,7 @@ TEST_CASE_TEMPLATE("any_primitive: under a map the ray keeps its digits", T, RAI
         const transformed any{any_solid<T>(ball), map};
         const ray<T> ray{vec3<T>(random.direction() * 1e3), vec3<T>(random.direction())};
         const raio::ray<T> aimed{ray.origin, vec3<T>(map.point(ball.center) - ray.origin) + ray.direction};
-        hit_record<T> a, b;
+        hit_record<T> a{}, b{};
         const bool hit = fixed.hit(aimed, T(0), infinity<T>, a);
         REQUIRE(any.hit(aimed, T(0), infinity<T>, b) == hit);
         REQUIRE(any.occluded(aimed, T(0), infinity<T>) == hit);
@@ -53,7 +53,7 @@ TEST_CASE_TEMPLATE("any_primitive: under a map the ray keeps its digits", T, RAI
 TEST_CASE_TEMPLATE("any_primitive: a scene of all kinds, which share what they hold", T, RAIO_NUMBERS) {
     const any_primitive<T> floor = plane<T>{{0, 0, -3}, {0, 0, 1}}, ball = sphere<T>{{0, 0, 0}, 1};
     const group scene{std::vector<any_primitive<T>>{floor, ball, any_primitive<T>(group{ball, floor})}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(scene.hit({{0, 0, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK((rec.t == T(8) && rec.index == 1));
     REQUIRE(scene.hit({{5, 0, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
@@ -78,7 +78,7 @@ struct homemade {
 TEST_CASE_TEMPLATE("any_primitive: of what knows only its own numbers, without bounds", T, RAIO_NUMBERS) {
     const any_primitive<T> any = homemade<T>{};
     CHECK(any.bounds().min.x == -infinity<T>);
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(transformed{any, scaling<T>({2, 2, 2})}.hit({{0, 0, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK((rec.t == T(7) && rec.normal.z == T(1) && rec.front_face));
     CHECK(transformed{homemade<T>{}, scaling<T>({2, 2, 2})}.occluded({{0, 0, 9}, {0, 0, -1}}, T(7), T(7)));

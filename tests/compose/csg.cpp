@@ -109,7 +109,7 @@ TEST_CASE_TEMPLATE("csg: leaves are counted through the tree, a map or a group c
     CHECK(tree.leaves() == 6);
     const std::pair<T, std::uint32_t> expected[] = {{0, 0}, {3, 1}, {12, 2}, {15, 2}, {18, 3}, {21, 3}, {6, 4}};
     for (const auto& [x, leaf] : expected) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(tree.hit({{x, 0, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
         CHECK((rec.t == T(8) && rec.index == leaf));
     }
@@ -207,7 +207,7 @@ TEST_CASE_TEMPLATE("csg: hits are the ends of the spans, one after the other, in
             for (const bool entering : {true, false}) {
                 const T end = entering ? span.min : span.max;
                 if (!entering && span.min == span.max) continue;  // a single point is entered and left at once
-                hit_record<T> rec;
+                hit_record<T> rec{};
                 REQUIRE(tree.hit(ray, t_min, infinity<T>, rec));
                 REQUIRE(tree.occluded(ray, t_min, end));
                 REQUIRE(!tree.occluded(ray, t_min, std::nextafter(end, -infinity<T>)));
@@ -234,7 +234,7 @@ TEST_CASE_TEMPLATE("csg: the record is that of the leaf, but for side and index"
         const auto b = some.can();
         const auto tree = difference_of(a, b);
         const ray<T> ray = some.line();
-        hit_record<T> rec, own;
+        hit_record<T> rec{}, own{};
         if (!tree.hit(ray, T(0), infinity<T>, rec)) continue;
         REQUIRE((rec.index == 0 ? a.hit(ray, rec.t, rec.t, own) : b.hit(ray, rec.t, rec.t, own)));
         flipped += own.front_face != rec.front_face;
@@ -279,7 +279,7 @@ TEST_CASE_TEMPLATE("csg: solids are shared, mapped and grouped like any other", 
     CHECK(&*shell.a == &ball);
     const transformed mirrored{&shell, scaling<T>({-2, 2, 2})};
     const group scene{mirrored, ball};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(scene.hit({{-9, 0, 0}, {1, 0, 0}}, T(7.5), infinity<T>, rec));
     CHECK((rec.t == T(8) && rec.index == 0 && !rec.front_face));
     REQUIRE(scene.spans({{-9, 0, 0}, {1, 0, 0}}).count == 1);
@@ -296,7 +296,7 @@ TEST_CASE_TEMPLATE("csg: a tree that is built while the program runs", T, RAIO_N
         const auto fixed = difference_of(a, b);
         const any_solid<T> built = difference_of(any_solid<T>(a), any_solid<T>(b));
         const ray<T> ray = some.line();
-        hit_record<T> r, s;
+        hit_record<T> r{}, s{};
         const bool hit = fixed.hit(ray, T(0), infinity<T>, r);
         REQUIRE(built.hit(ray, T(0), infinity<T>, s) == hit);
         REQUIRE(built.occluded(ray, T(0), infinity<T>) == hit);

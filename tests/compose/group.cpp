@@ -37,7 +37,7 @@ TEST_CASE_TEMPLATE("group: the nearest is hit, and counted through all members",
     };
     for (const expected& e : {expected{0, 3, 6}, {5, 4, 7}, {-5, 5, 9}, {T(9.25), 6, 10}, {T(20), 0, 19}}) {
         const ray<T> down{{e.x, T(0.0), 10}, {0, 0, -1}};
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(scene.hit(down, T(0), infinity<T>, rec));
         CHECK(rec.t == e.t);
         CHECK(rec.index == e.index);
@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE("group: of equally near ones the first", T, RAIO_NUMBERS) {
     const sphere<T> sphere{{0, 0, 0}, 1};
     const box<T> box{{-1, -1, -1}, {1, 1, 1}};
     const ray<T> down{{0, 0, 5}, {0, 0, -1}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(group{sphere, box}.hit(down, T(0), infinity<T>, rec));
     CHECK((rec.index == 0 && rec.uv != vec2<T>(0.5)));
     REQUIRE(group{box, sphere}.hit(down, T(0), infinity<T>, rec));
@@ -74,7 +74,7 @@ TEST_CASE_TEMPLATE("group: a miss touches nothing", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("group: without members nothing is hit", T, RAIO_NUMBERS) {
     const group scene{std::vector<sphere<T>>{}, std::span<const box<T>>{}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     CHECK(!scene.hit({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(!scene.occluded({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>));
     CHECK(!scene.bounds().contains({0, 0, 0}));
@@ -83,7 +83,7 @@ TEST_CASE_TEMPLATE("group: without members nothing is hit", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("group: a group within it counts as one, and keeps to its window", T, RAIO_NUMBERS) {
     const group<std::vector<sphere<T>>> inner{std::vector<sphere<T>>{{{0, 0, 0}, 1}, {{0, 0, 4}, 1}}};
     const group scene{sphere<T>{{0, 0, -9}, 1}, inner, std::vector(2, inner)};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(scene.hit({{0, 0, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK((rec.t == T(4) && rec.index == 1));
     REQUIRE(scene.hit({{0, 0, 9}, {0, 0, -1}}, T(11), infinity<T>, rec));
@@ -127,7 +127,7 @@ TEST_CASE_TEMPLATE("group: as the loop over its members", T, RAIO_NUMBERS) {
     const group scene{spheres, std::span<const triangle<T>>(triangles)};
     for (int i = 0; i < at_least(10'000); ++i) {
         const ray<T> ray{anywhere(), anywhere()};
-        hit_record<T> rec, nearest, candidate;
+        hit_record<T> rec{}, nearest{}, candidate{};
         bool found = false;
         std::uint32_t index = 0;
         const auto ask = [&](const auto& shape) {

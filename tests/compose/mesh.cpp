@@ -26,7 +26,7 @@ TEST_CASE_TEMPLATE("mesh: the nearest triangle is hit, of equally near ones the 
     for (const expected& e :
          {expected{{0.75, 0.25}, true, 0}, {{0.25, 0.75}, true, 1}, {{0.5, 0.5}, true, 0}, {{1.5, 0.5}, false, 0}}) {
         const ray<T> down{{e.at.x, e.at.y, 2}, {0, 0, -1}};
-        hit_record<T> rec;
+        hit_record<T> rec{};
         CHECK(m.hit(down, T(0), infinity<T>, rec) == e.hit);
         CHECK(m.occluded(down, T(0), infinity<T>) == e.hit);
         CHECK(rec.t == (e.hit ? T(2) : T(0)));
@@ -56,7 +56,7 @@ TEST_CASE_TEMPLATE("mesh: triangles in lanes", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("mesh: what the vertices have is interpolated", T, RAIO_NUMBERS) {
     mesh<T> m = square<T>();
-    hit_record<T> above, below;
+    hit_record<T> above{}, below{};
     REQUIRE(m.hit({{0.75, 0.25, 2}, {0, 0, -1}}, T(0), infinity<T>, above));
     REQUIRE(m.hit({{0.75, 0.25, -2}, {0, 0, 1}}, T(0), infinity<T>, below));
     CHECK(m.normal_at(above) == above.normal);
@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE("mesh: the nearest of its triangles, in any order, and the fi
                    RAIO_NUMBERS) {
     const mesh<T> layers{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 1}, {3, 0, 1}, {0, 3, 1}},
                          {{0, 1, 2}, {3, 4, 5}, {3, 4, 5}, {0, 1, 2}}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(layers.hit({{1, 1, 9}, {0, 0, -1}}, 0, infinity<T>, rec));
     CHECK((rec.t == 8 && rec.index == 1));
     REQUIRE(layers.hit({{1, 1, -9}, {0, 0, 1}}, 0, infinity<T>, rec));

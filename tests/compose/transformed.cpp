@@ -93,7 +93,7 @@ void check_image_cases(const std::vector<named_case<posed<P>>>& cases) {
     for (const auto& c : cases) {
         INFO(std::string(c.name));
         const probe<posed<P>> p{c.shape, c.ray, c.t_min, c.t_max};
-        hit_record<T> rec;
+        hit_record<T> rec{};
         const bool hit = p.hit(rec);
         CHECK(hit == c.expected.hit);
         if (hit && c.expected.hit) CHECK((rec.t == T(c.expected.t) && rec.front_face == c.expected.front_face));
@@ -149,7 +149,7 @@ TEST_CASE_TEMPLATE("transformed: named cases", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("transformed: normals under uneven scale go by the inverse transpose", T, RAIO_NUMBERS) {
     const T eps = std::numeric_limits<T>::epsilon();
     const transformed ellipsoid{sphere<T>{{0, 0, 0}, 1}, scaling<T>({4, 1, 1})};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(ellipsoid.hit({{2, 9, 0}, {0, -1, 0}}, T(0), infinity<T>, rec));
     const vec3<T> exact = normalize(vec3<T>(T(0.125), std::sqrt(T(0.75)), 0));  // the slope of x^2 / 16 + y^2
     CHECK(length(vec3<T>(rec.normal - exact)) < 4 * eps);
@@ -178,7 +178,7 @@ TEST_CASE("transformed: a map whose determinant is lost among its terms, or too 
 TEST_CASE_TEMPLATE("transformed: uv, index and side are the primitive's", T, RAIO_NUMBERS) {
     const group pair{sphere<T>{{-2, 0, 0}, 1}, box<T>{{1, -1, -1}, {3, 1, 1}}};
     const transformed moved{pair, translation<T>({0, 0, 5}) * scaling<T>({2, 2, 2})};
-    hit_record<T> rec, own;
+    hit_record<T> rec{}, own{};
     REQUIRE(moved.hit({{5, 1, 20}, {0, 0, -4}}, T(0), infinity<T>, rec));
     REQUIRE(pair.hit({{2.5, 0.5, 7.5}, {0, 0, -2}}, T(0), infinity<T>, own));
     CHECK((rec.index == 1 && rec.uv == own.uv && rec.t == own.t && rec.front_face && rec.normal == own.normal));
@@ -196,7 +196,7 @@ TEST_CASE_TEMPLATE("transformed: an instance shares its primitive", T, RAIO_NUMB
     CHECK((by_pointer.map().x == map.x && by_pointer.map().origin == map.origin));
     CHECK(shared.use_count() == 2);
     const ray<T> ray{{1, 2, 9}, {0, T(-0.2), -1}};
-    hit_record<T> a, b, c;
+    hit_record<T> a{}, b{}, c{};
     REQUIRE((by_value.hit(ray, T(0), infinity<T>, a) && by_pointer.hit(ray, T(0), infinity<T>, b)));
     REQUIRE(by_shared_pointer.hit(ray, T(0), infinity<T>, c));
     CHECK((same_record(a, b) && same_record(a, c)));
@@ -215,7 +215,7 @@ TEST_CASE_TEMPLATE("transformed: maps one after the other are their product", T,
     for (int i = 0; i < at_least(1000); ++i) {
         const vec3<double> from = random.direction() * 9.0, to = random.direction() * 2.0 + vec3<double>(1, 2, 3);
         const ray<T> ray{vec3<T>(from), vec3<T>(to - from)};
-        hit_record<T> r, s;
+        hit_record<T> r{}, s{};
         REQUIRE(twice.hit(ray, T(0), infinity<T>, r) == once.hit(ray, T(0), infinity<T>, s));
         hits += once.occluded(ray, T(0), infinity<T>);
         REQUIRE(std::abs(r.t - s.t) <= 4 * std::numeric_limits<T>::epsilon() * s.t);
@@ -269,7 +269,7 @@ TEST_CASE("transformed: the bound of how far the point is off the image, from ab
         const sphere<float> ball{vec3<float>(random.direction()), 1};
         const vec3<float> aim = map.point(ball.center + vec3<float>(random.direction()) * 0.9f);
         const vec3<float> way(random.direction());
-        hit_record<float> rec;
+        hit_record<float> rec{};
         if (!transformed(ball, map).hit({aim - way * 40.0f, way}, 0.0f, infinity<float>, rec)) continue;
         // How high the point is above the image of the sphere, whose gradient goes by the inverse transpose, and which
         // is curved.
@@ -294,7 +294,7 @@ std::string inexact_image(const probe<posed<P>>& p, int& hits) {
     const vec3<oracle> from = vec3<oracle>(p.ray.origin) - map.origin, along(p.ray.direction);
     const ray<oracle> back{inverse(from), inverse(along)};
     const auto shape = converted<oracle>(p.shape.shape);
-    hit_record<T> rec;
+    hit_record<T> rec{};
     const bool hit = p.hit(rec);
     hits += hit;
     for (const crossing<oracle>& c : all_crossings<oracle>(shape, back)) {
@@ -306,7 +306,7 @@ std::string inexact_image(const probe<posed<P>>& p, int& hits) {
         const bool is_it = detail::keeps_all_digits<T> ? off <= oracle(length(rec.error)) + rounding : t == rec.t;
         if (hit && is_it) {
             if (c.entering != rec.front_face) return "the other side";
-            hit_record<oracle> exact;
+            hit_record<oracle> exact{};
             detail::record_crossing(shape, back, c, exact);
             const oracle turned = length(normalize(inverse.transposed(exact.normal)) - vec3<oracle>(rec.normal));
             // A step of the point in the shape's own space, or a rounding there, turns what is seen by as much times

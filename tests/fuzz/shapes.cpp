@@ -140,7 +140,7 @@ void ask_tree_of(numbers<number_t<Shape>>& n) {
     try {
         const bvh<Shape> tree(shapes, {.threads = 1});
         for (const interval<T>& window : {interval<T>{T(0), infinity<T>}, interval<T>{t_min, t_max}}) {
-            hit_record<T> expected, found;
+            hit_record<T> expected{}, found{};
             const bool hit = group{shapes}.hit(ray, window.min, window.max, expected);
             n.check(tree.hit(ray, window.min, window.max, found) == hit && same_record(found, expected),
                     "another hit in the tree");

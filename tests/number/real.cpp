@@ -61,7 +61,7 @@ template <class Shape>
 void ask_everything(const Shape& shape) {
     using T = number_t<Shape>;
     const ray<T> ray{{T(0.25), T(0.125), T(5)}, {T(0), T(0), T(-1)}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(shape.hit(ray, T(0), infinity<T>, rec));
     CHECK(shape.occluded(ray, rec.t, rec.t));
     CHECK(shape.bounds().contains(rec.point));
@@ -94,7 +94,7 @@ TEST_CASE_TEMPLATE("every shape in numbers from elsewhere", T, dual, multiprecis
 /// The crossing of a line that aims next to the centre, from anywhere.
 template <class T>
 T crossing_with(const vec3<T>& center, const ray<double>& ray) {
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(sphere<T>{center, T(1)}.hit({vec3<T>(ray.origin), vec3<T>(ray.direction)}, T(0), infinity<T>, rec));
     return rec.t;
 }

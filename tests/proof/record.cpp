@@ -44,7 +44,7 @@ static_assert(!record<without_t>);
 /// Are the members of such a record those of a hit_record? On a miss nothing is written.
 template <class P>
 int fills_own_records(const P& shape, const ray<float>& ray, float t_max) {
-    hit_record<float> rec;
+    hit_record<float> rec{};
     only_t t{-1};
     shading shade{7, {5, 5, 5}, -1, false};
     texel texture{-1, {-1, -1}, -1};

@@ -176,7 +176,7 @@ TEST_CASE("settle: of a double the quick crossings count up to the first that is
 
 TEST_CASE_TEMPLATE("settle: where there is one beyond doubt, only its t is asked for", T, float, double) {
     const auto where = [](const crossing<W>& near) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         const told_of_one<T> shape{{.quick = {near, at<W>(6)}}};
         return first_hit<detail::question::only_where>(shape, any<T>(), T(0), infinity<T>, rec) ? rec.t : T(-1);
     };
@@ -189,10 +189,10 @@ TEST_CASE_TEMPLATE("settle: where there is one beyond doubt, only its t is asked
 }
 
 TEST_CASE("settle: a shape that has to search is told whether t of a float is asked for, and never of a double") {
-    hit_record<float> rec;
+    hit_record<float> rec{};
     CHECK((first_hit(told_how_closely<float>{}, any_float, 0.0f, infinity<float>, rec) && rec.t == 4));
     CHECK(any_hit(told_how_closely<float>{}, any_float, 1.0f, 3.0f));
-    hit_record<double> rec_of_double;
+    hit_record<double> rec_of_double{};
     CHECK((first_hit(told_how_closely<double>{}, any_double, 0.0, infinity<double>, rec_of_double) &&
            rec_of_double.t == 8));
     CHECK(any_hit(told_how_closely<double>{}, any_double, 8.0, 8.0));
@@ -299,7 +299,7 @@ struct described {
 TEST_CASE_TEMPLATE("record: where numbers leave no normal, it is against the ray, and uv is 0", T, float, double) {
     constexpr T nan = std::numeric_limits<T>::quiet_NaN();
     const ray<T> along{{0, 0, 0}, {0, 3, -4}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     for (const vec3<T>& none : {vec3<T>(nan), vec3<T>(0)}) {
         detail::record_crossing(described<T>{none, {T(0.5), nan}}, along, at<W>(1), rec);
         CHECK(length(vec3<T>(rec.normal - vec3<T>(0, T(-0.6), T(0.8)))) < std::numeric_limits<T>::epsilon());

@@ -142,7 +142,7 @@ TEST_CASE_TEMPLATE("first_hit, any_hit: nothing is met at either infinity, nor w
     const box<P> around{vec3<P>(P(-1)), vec3<P>(P(1))};
     const ray<P> hardly_moving{vec3<P>(P(0)), vec3<P>(P(std::numeric_limits<T>::denorm_min()))};
     const ray<P> moving{vec3<P>(P(0)), vec3<P>(P(1))};
-    hit_record<P> rec;
+    hit_record<P> rec{};
     const P ever(infinity<T>), nan(std::numeric_limits<T>::quiet_NaN());
     CHECK(none(around.hit(hardly_moving, -ever, ever, rec)));
     CHECK(none(around.occluded(hardly_moving, -ever, ever)));
@@ -197,8 +197,8 @@ TEST_CASE(
     const sphere<P> balls{vec3<P>(ball.center), P(ball.radius)};
     const ray<P> rays{vec3<P>(along.origin), vec3<P>(along.direction)};
     const P zero(0), ever(infinity<double>);
-    hit_record<double> rec;
-    hit_record<P> recs;
+    hit_record<double> rec{};
+    hit_record<P> recs{};
     check_lanes(balls.hit(rays, zero, ever, recs), ball.hit(along, 0.0, infinity<double>, rec));
     check_lanes(balls.occluded(rays, zero, ever), ball.occluded(along, 0.0, infinity<double>));
 }
@@ -214,8 +214,8 @@ TEST_CASE_TEMPLATE(
     for (const T slope : {T(0.25), T(1)}) {  // the steeper ray is past the box before it has risen to it
         CAPTURE(slope);
         const ray<P> rays{{zero, P(-most / 4 * 3), zero}, vec3<P>(P(8 * slope), P(8), P(8 * slope))};
-        hit_record<P> recs;
-        hit_record<T> rec;
+        hit_record<P> recs{};
+        hit_record<T> rec{};
         const bool hit = detail::in_lane<P>(boxes, 1).hit(detail::in_lane<P>(rays, 1), 0, infinity<T>, rec);
         CHECK(hit == (std::same_as<T, float> && slope < 1));  // double has no wider numbers
         check_lanes(boxes.hit(rays, zero, ever, recs), hit);

@@ -154,7 +154,7 @@ TEST_CASE("algebraic: from a wall of the box that is the surface as well (what l
     // 2 x where y = z = 1, and no more than that below.
     const algebraic<double, 4> shape{
         {-3, -1, 0}, {0, 2, 3}, {{1, 1, 3, 0}, {-1, 1, 1, 0}, {2, 1, 2, 0}, {1, 0, 0, 1}, {-1, 0, 0, 0}}};
-    hit_record<double> rec;
+    hit_record<double> rec{};
     REQUIRE(shape.hit({{4, 1, 1}, {-1, 0, 0}}, 0, infinity<double>, rec));
     CHECK(rec.point == vec3<double>(0, 1, 1));
     REQUIRE(shape.hit(spawn_ray(rec, {-0x1p-11, -1, -0.125}), 0, infinity<double>, rec));
@@ -178,7 +178,7 @@ TEST_CASE_TEMPLATE("algebraic: coefficients that are all but zero hide no root o
         {{-2, 1, 4, 1}, {-1, 0, 0, 1}, {-2, 4, 1, 1}, {1, 2, 0, 0}, {-1, 0, 2, 0}, {1, 0, 0, 2}}};
     for (int power = -140; power < -60; ++power) {
         const T tiny = std::ldexp(T(1), power);
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(along_an_edge.hit({{3, 3, 0}, {-tiny, 0, 1}}, T(0), infinity<T>, rec));
         CHECK(std::abs(rec.t - T(0.71541842388729637)) < T(1e-6));  // was 0
         REQUIRE(from_a_face.hit({{3, -1, 3}, {-1, -tiny, -1}}, T(0), infinity<T>, rec));
@@ -213,7 +213,7 @@ TEST_CASE_TEMPLATE("algebraic: normal along the gradient, against the ray where 
     random_numbers random(3);
     for (int i = 0; i < at_least(1000); ++i) {
         const vec3<T> from(random.direction() * 6.0), direction(normalize(vec3<T>(random.direction()) - from));
-        hit_record<T> rec;
+        hit_record<T> rec{};
         if (ball.hit({from, direction}, T(0), infinity<T>, rec)) {
             REQUIRE(length(vec3<T>(rec.normal - rec.point / T(2))) < slack);
         }
@@ -226,7 +226,7 @@ TEST_CASE_TEMPLATE("algebraic: normal along the gradient, against the ray where 
 TEST_CASE_TEMPLATE("algebraic: uv is the place in the box", T, RAIO_NUMBERS) {
     const algebraic<T, 2> ball{{-2, -4, -2}, {2, 4, 1}, {{1, 2, 0, 0}, {1, 0, 2, 0}, {1, 0, 0, 2}, {-3, 0, 0, 0}}};
     const auto uv = [&](const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(ball.hit(ray, T(0), infinity<T>, rec));
         return rec.uv;
     };
@@ -255,7 +255,7 @@ TEST_CASE("algebraic: the derivatives of t, by a number that carries them along"
     const dual radius = dual::variable(2, 0);
     const algebraic<dual, 2> ball{
         {-3, -3, -3}, {3, 3, 3}, {{1, 2, 0, 0}, {1, 0, 2, 0}, {1, 0, 0, 2}, {-radius * radius, 0, 0, 0}}};
-    hit_record<dual> rec;
+    hit_record<dual> rec{};
     REQUIRE(ball.hit({{0, 0, dual::variable(5, 1)}, {0, 0, -1}}, 0, infinity<dual>, rec));
     CHECK(rec.t.value == doctest::Approx(3));
     CHECK(rec.t.slope[0] == doctest::Approx(-1));

@@ -266,7 +266,7 @@ TEST_CASE("bezier_curve: beside a tip, in double (the normal was off by twenty t
 
 TEST_CASE("bezier_curve: what leaves a line that touches every sphere") {
     const bezier_curve<double> curve{{-1, 0, -1}, {1, 1, -2}, {1, 0, 0}, {1, 0, 0}, 1, 0, 1, 1};  // all are below y = 1
-    hit_record<double> rec;
+    hit_record<double> rec{};
     REQUIRE(curve.hit({{1, 1, 0}, {-1, 0, -1}}, 0, infinity<double>, rec));
     const vec3<double> up(0x1.4c2da458f8b7cp-8, 0x1.9f8f3b68ee027p-1, -0x1.2b13eeb38bbecp-1);
     CHECK_FALSE(curve.occluded(spawn_ray(rec, up), 0, infinity<double>));
@@ -321,7 +321,7 @@ TEST_CASE_TEMPLATE("bezier_curve: one that is straight is a round cone", T, RAIO
 TEST_CASE_TEMPLATE("bezier_curve: uv", T, RAIO_NUMBERS) {
     const bezier_curve<T> curve{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}, 1, 1, 1, 1};
     const auto uv = [&](const vec3<T>& origin, const vec3<T>& direction) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(curve.hit({origin, direction}, T(0), infinity<T>, rec));
         return rec.uv;
     };

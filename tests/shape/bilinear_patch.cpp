@@ -218,7 +218,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: on the fold of a planar one the side with th
         const ray<T> ray{origin, on_fold - origin * T(9)};
         const T leaving = dot(ray.direction, cross(to - from, both - from));
         if (leaving == T(0)) continue;
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(bilinear_patch<T>{from, both, both, to}.hit(ray, T(0), infinity<T>, rec));
         CHECK(rec.t == T(1) / T(9));
         CHECK(rec.front_face == (leaving < T(0)));
@@ -240,7 +240,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: all but along an edge, from before it (was h
                    RAIO_NUMBERS) {
     const bilinear_patch<T> some{{-2, -2, -2}, {-3, 0, 2}, {3, -2, -2}, {-1, 2, -1}};
     for (int power = -140; power < -20; ++power) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         const ray<T> ray{{-3, -2, -2}, {T(0x1p-22), 0, std::ldexp(T(1), power)}};
         CHECK((!some.hit(ray, T(0), infinity<T>, rec) || rec.t >= T(0x1p22)));
     }
@@ -258,7 +258,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: as exact arithmetic", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("bilinear_patch: uv", T, RAIO_NUMBERS) {
     const auto uv = [](const bilinear_patch<T>& patch, T x, T y) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(patch.hit({{x, y, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
         return rec.uv;
     };
@@ -278,7 +278,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: in a corner without an edge a flat patch has
     const vec3<T> a(0, 0, 0), c(1, 1, 0), d(0, 1, 0);
     for (const bilinear_patch<T>& patch : {bilinear_patch<T>{a, a, d, c}, bilinear_patch<T>{a, a, c, d}}) {
         for (const T side : {T(1), T(-1)}) {
-            hit_record<T> rec;
+            hit_record<T> rec{};
             REQUIRE(patch.hit({{-3, -2, 4 * side}, {3, 2, -4 * side}}, T(0), infinity<T>, rec));
             CHECK(rec.normal == vec3<T>(0, 0, side));
         }
@@ -288,7 +288,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: in a corner without an edge a flat patch has
 TEST_CASE("bilinear_patch: so slender that doubles take it for a line, it is hit with a normal against the ray") {
     const float thin = 0x1p-133f, least = 0x1p-127f;
     const bilinear_patch<float> patch{{thin, 5, 0}, {0, 0, 0}, {0, least, 0}, {0, 0, 0}};
-    hit_record<float> rec;
+    hit_record<float> rec{};
     REQUIRE(patch.hit({{thin, least, 1}, {-thin, -least, -1}}, 0.0f, infinity<float>, rec));
     CHECK(unsound_fields(rec) == "");
 }
@@ -317,7 +317,7 @@ TEST_CASE("bilinear_patch: a normal that had to be mirrored is unit") {
          {0x1.380aa3be8812bp-16, 0x1.508fd12c17441p-18, 0x1.7c9d078380a14p-19}},
         {{0x1.7843a73f15f06p-13, -0x1.d03caf733c0bp-14, -0x1.53d5bff1f045ap-11},
          {-0x1.19bc4d1f22cddp-34, 0x1.0578d715a0818p-35, 0x1.e7e16277ddf25p-33}}};
-    hit_record<double> rec;
+    hit_record<double> rec{};
     REQUIRE(p.hit(rec));
     const vec3<oracle> normal = converted<oracle>(rec.normal);
     CHECK(abs(dot(normal, normal) - 1) <= 4 * oracle(std::numeric_limits<double>::epsilon()));

@@ -143,7 +143,7 @@ TEST_CASE_TEMPLATE("blob: a line all but in the side of a capsule meets it where
         const T inwards = std::ldexp(T(-1.25), -digits);
         const ray<T> up{{1, -1.5, 0}, {inwards, 1, 0}}, down{{1, 2.5, 0}, {inwards, -1, 0}};
         for (const ray<T>& ray : {up, down}) {
-            hit_record<T> rec;
+            hit_record<T> rec{};
             REQUIRE(rod.hit(ray, T(0), infinity<T>, rec));
             CHECK(std::abs(rec.t - T(0.5)) < T(1e-9));
         }
@@ -160,7 +160,7 @@ TEST_CASE_TEMPLATE("blob: as exact arithmetic", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("blob: uv and normal", T, RAIO_NUMBERS) {
     const blob<T> ball{{{{{1, 1, 1}, 2}}}, T(0.5625)};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(ball.hit({{1, 1, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(rec.uv.x == doctest::Approx(0.5));
     CHECK(rec.uv.y == doctest::Approx(0.5));

@@ -115,7 +115,7 @@ TEST_CASE_TEMPLATE("box: along faces, at edges and corners, with zeros and denor
         for (const crossing<oracle>& c : all_crossings<oracle>(converted<oracle>(p.shape), exact_ray)) {
             if (c.exists && in_window(p, rounded<T>(c.t))) t = std::min(t, rounded<T>(c.t));
         }
-        hit_record<T> rec;
+        hit_record<T> rec{};
         const bool expected = t < infinity<T>, hit = p.hit(rec);
         std::string wrong = unsound_answer(p) + inconsistent_record(p);
         if (hit != expected) wrong += hit ? "false hit" : "false miss";
@@ -158,7 +158,7 @@ TEST_CASE_TEMPLATE("box: area, and samples spread evenly over it", T, RAIO_NUMBE
 
 TEST_CASE_TEMPLATE("box: uv, and the point exactly on the face", T, RAIO_NUMBERS) {
     const box<T> bar{{0, 0, 0}, {1, 2, 4}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(bar.hit({{T(0.25), T(1.5), 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(rec.uv == vec2<T>(0.25, 0.75));
     REQUIRE(bar.hit({{9, 1, 3}, {-1, 0, 0}}, T(0), infinity<T>, rec));

@@ -72,7 +72,7 @@ TEST_CASE_TEMPLATE("capsule: area, and samples spread evenly over it", T, RAIO_N
 TEST_CASE_TEMPLATE("capsule: uv", T, RAIO_NUMBERS) {
     const capsule<T> pill{{0, 0, 0}, {0, 0, 2}, 1};
     const auto v = [&](const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(pill.hit(ray, T(0), infinity<T>, rec));
         return rec.uv.y;
     };

@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("open_cone: all but along a generator (of few doubles the nor
 TEST_CASE("open_cone: the apex, along the axis (seen with a normal along the ray)") {
     const open_cone<double> funnel{{0, 0, 0}, {0, 0, -0x1.fdeb091195de3p+13}, 0x1.495594e960bc3p+12};
     const ray<double> up{{0, 0, -0x1.9d3008aa37b67p+25}, {0, 0, 0x1.9d2974f9a9265p+9}};
-    hit_record<double> rec;
+    hit_record<double> rec{};
     REQUIRE(funnel.hit(up, 0, infinity<double>, rec));
     CHECK(rec.normal.z == doctest::Approx(-1));
 }
@@ -174,7 +174,7 @@ TEST_CASE_TEMPLATE("cone: area, and samples spread evenly over it", T, RAIO_NUMB
 TEST_CASE_TEMPLATE("cone: uv, and the normal of the apex", T, RAIO_NUMBERS) {
     const cone<T> hat{{0, 0, 0}, {0, 0, 2}, 2};
     const auto hit = [&](const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(hat.hit(ray, T(0), infinity<T>, rec));
         return rec;
     };
@@ -189,7 +189,7 @@ TEST_CASE_TEMPLATE("cone: uv, and the normal of the apex", T, RAIO_NUMBERS) {
 
 TEST_CASE("cone: the derivatives of t, by a number that carries them along") {
     const cone<dual> hat{{0, 0, 0}, {0, 0, 2}, dual::variable(2, 0)};
-    hit_record<dual> rec;
+    hit_record<dual> rec{};
     REQUIRE(hat.hit({{dual::variable(6, 1), 0, dual::variable(1, 2)}, {-1, 0, 0}}, 0, infinity<dual>, rec));
     CHECK(rec.t.value == doctest::Approx(5));
     CHECK(rec.t.slope[0] == doctest::Approx(-0.5));

@@ -110,7 +110,7 @@ TEST_CASE_TEMPLATE("convex_polyhedron: a single point is hit within its bounds",
                                        {{0, 1, 0}, 0},
                                        {{-1, 0, 0}, 0},
                                        {{2, 2, 2}, 0}}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(origin.hit({{-4, -4, -4}, {1, 1, 1}}, T(0), infinity<T>, rec));
     CHECK(origin.bounds().contains(rec.point));
 }
@@ -124,7 +124,7 @@ TEST_CASE("convex_polyhedron: past the tip of a needle, along the edge on the ot
          {{0x1.52fcc468d6b54p-4, -0x1.7d5c5cf5f18bfp-1, 0x1.52fcc468d6b54p-1}, -0x1p-57},
          {{0x1.d03ef30d1a06ap-7, -0x1.052368b75ea3cp-3, 0x1.fbc4d9d654774p-1}, 0x1.c1bcfb74b1367p-4},
          {{0, -0x1.4e16d3ea27b25p-5, 0x1.ff92f47e8cc91p-1}, -0x1.6p-57}}};
-    hit_record<double> rec;
+    hit_record<double> rec{};
     CHECK_FALSE(needle.hit({vec3<double>(-0.125), vec3<double>(-0.125)}, 0, infinity<double>, rec));
 }
 

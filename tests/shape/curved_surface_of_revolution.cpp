@@ -142,7 +142,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: straight lines and a parabola"
         const curved_surface_of_revolution<T> dish{base, axis, {{0, 0}, {1, 0}, {2, 3}, {3, 9}}};
         const vec3<T> origin(random.direction() * 99.0);
         const ray<T> r{origin, vec3<T>(random.direction() * random.uniform(0, 30)) - origin};
-        hit_record<T> rec, expected;
+        hit_record<T> rec{}, expected{};
         const auto compare = [&](const auto& a, const auto& b) {
             const bool hit = a.hit(r, T(0), infinity<T>, rec);
             REQUIRE(hit == b.hit(r, T(0), infinity<T>, expected));
@@ -169,7 +169,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: across the axis, where roots a
     const curved_surface_of_revolution<T> dish{{0, 0, 0}, {0, 1, 0}, {{0, 0}, {1, 0}, {2, 3}, {3, 9}}};
     for (int i = 1; i < 72; ++i) {
         const oracle height = oracle(i) / 8;
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(dish.hit({{-9, T(i) / 8, 0}, {1, 0, 0}}, T(0), infinity<T>, rec));
         CHECK(rec.t == rounded<T>(9 - sqrt(height)));
         REQUIRE(dish.hit({{-9, T(i) / 8, 0}, {1, 0, 0}}, T(9), infinity<T>, rec));
@@ -185,7 +185,7 @@ TEST_CASE("curved surface of revolution: the point in which it meets the axis li
         const vec3<double> origin = random.direction() * random.log_uniform(0.1, 30),
                            beside = random.direction() * random.log_uniform(1e-16, 1e-9);
         const ray<double> ray{origin, vec3<double>(0, 0, 1) - origin + beside};
-        hit_record<double> rec;
+        hit_record<double> rec{};
         for (double t = 0; shape.hit(ray, t, infinity<double>, rec); t = std::nextafter(rec.t, infinity<double>)) {
             REQUIRE_MESSAGE(shape.bounds().contains(rec.point), literal(ray));
         }
@@ -204,7 +204,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_
         std::string points = literal(s.base) + literal(s.axis);
         for (const vec2<T>& p : s.profile) points += literal(p);
         CAPTURE(points);
-        hit_record<T> rec;
+        hit_record<T> rec{};
         const bool hit = s.hit(r, T(0), infinity<T>, rec);
         REQUIRE(s.occluded(r, T(0), infinity<T>) == hit);
 
@@ -268,7 +268,7 @@ TEST_CASE("curved surface of revolution: where no number says the point, it is m
     const float most = std::numeric_limits<float>::max();
     const curved_surface_of_revolution<float> tower{{0, 0, 0}, {0, most / 2, 0}, {{1, 0}, {1, 1}, {1, 2}, {1, 4}}};
     const auto rising = [](float y) { return ray<float>{{-5, 0, 0}, {1, y, 0}}; };  // meets it at t = 4, and at t = 6
-    hit_record<float> rec;
+    hit_record<float> rec{};
     REQUIRE(tower.hit(rising(most / 16), 0, infinity<float>, rec));
     CHECK((rec.t == 4 && rec.point.y == most / 4));
     CHECK(tower.occluded(rising(most / 16), 0, infinity<float>));
@@ -289,7 +289,7 @@ TEST_CASE("curved surface of revolution: as many straight segments") {
             const vec3<double> from =
                 target + random.direction() * (4 * norm1(curved.axis) * std::abs(at.y) + 4 * at.x);
             const ray<double> r{from, target - from};
-            hit_record<double> rec, expected;
+            hit_record<double> rec{}, expected{};
             const bool hit = curved.hit(r, 0, infinity<double>, rec);
             const bool expected_hit = straight.hit(r, 0, infinity<double>, expected);
             const double size = length(vec3<double>(curved.bounds().max - curved.bounds().min));
@@ -326,7 +326,7 @@ TEST_CASE_TEMPLATE("curved surface of revolution: closed where its profile begin
         const vec2<T> rim = vase.profile[static_cast<std::size_t>(3 * random.integer(0, 3))];
         const vec3<T> target =
             vase.base + vase.axis * rim.y + vec3<T>(random.perpendicular(to_double(vase.axis))) * rim.x;
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(vase.hit({from, target - from}, T(0), infinity<T>, rec));
     }
 }

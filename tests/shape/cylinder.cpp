@@ -101,7 +101,7 @@ TEST_CASE("cylinder: above its top, and along it until beyond the largest number
 TEST_CASE("cylinder: 2^278 wide, whose fourth powers are beyond the range, where the window ends") {
     const cylinder<double> wide{{0, 0, 0}, {0, 0x1p278, 0}, 0x1p278};
     const ray<double> tilted{{0x1.8p278, 0x1p277, 0x1p276}, {-0x1p-349, 0x1p-352, 0x1p-354}};
-    hit_record<double> rec, same;
+    hit_record<double> rec{}, same{};
     REQUIRE(wide.hit(tilted, 0, infinity<double>, rec));
     CHECK((wide.hit(tilted, 0, rec.t, same) && same.t == rec.t && wide.occluded(tilted, 0, rec.t)));
     CHECK(!wide.hit(tilted, 0, std::nextafter(rec.t, 0.0), same));
@@ -245,7 +245,7 @@ TEST_CASE_TEMPLATE("open_cylinder: area, and samples spread evenly over it", T, 
 TEST_CASE_TEMPLATE("cylinder: uv", T, RAIO_NUMBERS) {
     const cylinder<T> can{{0, 0, 0}, {0, 0, 4}, 2};
     const auto uv = [&](const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(can.hit(ray, T(0), infinity<T>, rec));
         return rec.uv;
     };

@@ -65,7 +65,7 @@ TEST_CASE_TEMPLATE("disc: area, and samples spread evenly over it", T, RAIO_NUMB
 }
 
 TEST_CASE_TEMPLATE("disc: uv", T, RAIO_NUMBERS) {
-    hit_record<T> rec;
+    hit_record<T> rec{};
     const disc<T> large{{1, 1, 0}, {0, 0, 1}, 4};
     REQUIRE(large.hit({{1, 1, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(rec.uv == vec2<T>(0, 0));

@@ -77,7 +77,7 @@ TEST_CASE("ellipsoid: a point at the origin is off by what the rounded normal is
     for (const vec3<float>& radii :
          {vec3<float>(8, 4, 1), {8, 1, 4}, {4, 8, 1}, {4, 1, 8}, {1, 8, 4}, {1, 4, 8}, {8, 8, 1}, {1, 1, 8}}) {
         const ellipsoid<float> some{{0, 0, radii.z}, radii};
-        hit_record<float> rec;
+        hit_record<float> rec{};
         REQUIRE(some.hit({{0, 0, -1}, {0, 0, 1}}, 0.0f, infinity<float>, rec));
         const float turned = 4 * 0x1p-48f * 8 * (8 / 1.0f);
         CHECK((rec.error.x >= turned && rec.error.x <= 2 * turned));
@@ -87,7 +87,7 @@ TEST_CASE("ellipsoid: a point at the origin is off by what the rounded normal is
 TEST_CASE_TEMPLATE("ellipsoid: uv and normal", T, RAIO_NUMBERS) {
     const ellipsoid<T> egg{{1, 2, 3}, {3, 2, 1}};
     const auto hit = [&](const vec3<T>& from) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(egg.hit({egg.center + from, -from}, T(0), infinity<T>, rec));
         return rec;
     };

@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE(
     int hits = 0, complaints = 0;
     for (int i = 0; i < 20'000; ++i) {
         const probe<Shape> p = ray_to_the_tip_of_a_needle<Shape>(random);
-        hit_record<number_t<Shape>> rec;
+        hit_record<number_t<Shape>> rec{};
         if (!p.hit(rec)) continue;
         ++hits;
         worst_errors worst;
@@ -126,7 +126,7 @@ TEST_CASE("frustum: the side of a needle is seen from outside (it leaned by the 
           infinity<float>}}};
     for (const probe<frustum<float>>& p : rays) {
         CAPTURE(literal(p));
-        hit_record<float> rec;
+        hit_record<float> rec{};
         REQUIRE(p.hit(rec));
         CHECK(dot(to_double(rec.normal), to_double(p.ray.direction)) < 0);
     }
@@ -208,7 +208,7 @@ TEST_CASE_TEMPLATE("open_frustum: area, and samples spread evenly over it", T, R
 TEST_CASE_TEMPLATE("frustum: uv and normal", T, RAIO_NUMBERS) {
     const frustum<T> lamp{{0, 0, 0}, {0, 0, 2}, 3, 1};
     const auto hit = [&](const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(lamp.hit(ray, T(0), infinity<T>, rec));
         return rec;
     };

@@ -9,7 +9,7 @@ template <class T>
 bool hit_loop(const heightfield<T>& field, const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) {
     bool found = false;
     for (std::size_t i = 0; i < field.size(); ++i) {
-        hit_record<T> candidate;
+        hit_record<T> candidate{};
         if (!field[i].hit(ray, t_min, t_max, candidate) || (found && !(candidate.t < rec.t))) continue;
         rec = candidate;
         rec.index = static_cast<std::uint32_t>(i);
@@ -110,7 +110,7 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
     // A tent over [0, 4]^2 with its top at (2, 2, 2).
     const heightfield<T> tent{{0, 0}, {4, 4}, 3, {0, 0, 0, 0, 2, 0, 0, 0, 0}};
     const auto t_of = [&](const heightfield<T>& field, const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         return field.hit(ray, T(0), inf, rec) ? rec.t : T(-1);
     };
     const auto down = [](T x, T y) { return ray<T>{{x, y, 5}, {0, 0, -1}}; };
@@ -148,7 +148,7 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
     CHECK(t_of({{0, 0}, {4, 0}, 2, {1, 1, 1, 1}}, down(2, 0)) == T(-1));
     CHECK(t_of({{4, 4}, {0, 0}, 2, {1, 1, 1, 1}}, down(2, 2)) == T(-1));
 
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(tent.hit({{5, 2, 1}, {1, 0, 0}}, -inf, inf, rec));  // behind the ray, from anywhere on
     CHECK(rec.t == T(-4));
     REQUIRE(tent.hit({{-1, 2, 1}, {-1, 0, 0}}, -inf, T(0), rec));
@@ -182,7 +182,7 @@ TEST_CASE_TEMPLATE("heightfield: what is spawned on it does not meet it where it
     int again = 0;
     for (int i = 0; i < test_rays / 10; ++i) {
         const heightfield<T> field = random_field<T>(random);
-        hit_record<T> rec, next;
+        hit_record<T> rec{}, next{};
         if (!field.hit(random_ray(field, random), T(0), infinity<T>, rec)) continue;
         const ray<T> spawned = spawn_ray(rec, vec3<T>(random.direction()));
         again += field.hit(spawned, T(0), infinity<T>, next) && next.index == rec.index;

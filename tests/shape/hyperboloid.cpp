@@ -156,7 +156,7 @@ TEST_CASE_TEMPLATE("hyperboloid: all crossings", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("hyperboloid: uv and normal", T, RAIO_NUMBERS) {
     const hyperboloid<T> tower{{0, 0, -1}, {0, 0, 1}, 3, 5};
     const auto hit = [&](const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(tower.hit(ray, T(0), infinity<T>, rec));
         return rec;
     };

@@ -144,7 +144,7 @@ TEST_CASE_TEMPLATE("paraboloid: bounds are tight", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("paraboloid: uv and normal", T, RAIO_NUMBERS) {
     const paraboloid<T> bowl{{0, 0, 0}, {0, 0, 4}, 2};
     const auto hit = [&](const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(bowl.hit(ray, T(0), infinity<T>, rec));
         return rec;
     };

@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("parallelogram: area, and samples spread evenly over it", T, 
 }
 
 TEST_CASE_TEMPLATE("parallelogram: uv", T, RAIO_NUMBERS) {
-    hit_record<T> rec;
+    hit_record<T> rec{};
     const parallelogram<T> wide{{1, 1, 1}, {4, 0, 0}, {4, 2, 0}};
     REQUIRE(wide.hit({{5, 2, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
     CHECK(rec.uv == vec2<T>(0.5, 0.5));

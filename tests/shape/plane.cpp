@@ -49,7 +49,7 @@ TEST_CASE_TEMPLATE("plane: as exact arithmetic", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("plane: uv", T, RAIO_NUMBERS) {
     const plane<T> floor{{10, 0, 10}, {0, 1, 0}};
     const auto uv = [&](T x, T z) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(floor.hit({{x, 5, z}, {0, -1, 0}}, T(0), infinity<T>, rec));
         return rec.uv;
     };

@@ -46,7 +46,7 @@ TEST_CASE_TEMPLATE("oriented_box: the corners, along the axes and turned", T, RA
     check_corners<decltype(straight), T>(straight, {{0, 0, -1}, {2, 4, 7}, {0, 4, -1}, {2, 0, 7}}, 5);
     CHECK(straight.area() == doctest::Approx(112));
     const ray<T> along{{-9, 2, 3}, {1, 0, 0}};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(straight.hit(along, T(0), infinity<T>, rec));
     CHECK((rec.t == T(9) && rec.normal == vec3<T>(-1, 0, 0) && rec.front_face));
     CHECK((straight.spans(along) == interval<T>{9, 11}));
@@ -67,7 +67,7 @@ TEST_CASE_TEMPLATE("tetrahedron: whatever the order of the corners", T, RAIO_NUM
     for (const auto& solid : {tetrahedron(a, b, c, d), tetrahedron(b, a, c, d), tetrahedron(d, c, b, a)}) {
         check_corners<std::remove_cvref_t<decltype(solid)>, T>(solid, {a, b, c, d}, 2);
         CHECK(solid.area() == doctest::Approx(6 + 2 * std::sqrt(3.0)));
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(solid.hit({{0.5, 0.5, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
         const T off = std::same_as<T, float> ? 0 : 32 * std::numeric_limits<T>::epsilon();
         CHECK((std::abs(rec.t - 8) <= off && rec.normal.x > T(0.5)));
@@ -83,7 +83,7 @@ TEST_CASE_TEMPLATE("pyramid and prism: on any convex base", T, RAIO_NUMBERS) {
     std::vector<vec3<T>> corners(base.begin(), base.end());
     for (const vec3<T>& corner : base) corners.push_back(corner + vec3<T>(0, 1, 4));
     check_corners<decltype(block), T>(block, corners, 5);
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(roof.hit({{0, 0, -9}, {0, 0, 1}}, T(0), infinity<T>, rec));
     CHECK((rec.t == T(10) && rec.normal == vec3<T>(0, 0, -1)));
     REQUIRE(block.hit({{0, 1, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));

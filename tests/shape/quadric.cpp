@@ -174,7 +174,7 @@ TEST_CASE_TEMPLATE("quadric: all crossings", T, RAIO_NUMBERS) {
 TEST_CASE("quadric: the derivatives of t, by a number that carries them along") {
     quadric<dual> ball{{-3, -3, -3}, {3, 3, 3}, {1, 1, 1}};
     ball.constant = dual::variable(-4, 0);
-    hit_record<dual> rec;
+    hit_record<dual> rec{};
     REQUIRE(ball.hit({{0, 0, dual::variable(5, 1)}, {0, 0, -1}}, 0, infinity<dual>, rec));
     CHECK(rec.t.value == doctest::Approx(3));
     CHECK(rec.t.slope[0] == doctest::Approx(0.25));  // the radius is the root of the constant

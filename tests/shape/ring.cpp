@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("ring: area, and samples spread evenly over it", T, RAIO_NUMB
 }
 
 TEST_CASE_TEMPLATE("ring: uv", T, RAIO_NUMBERS) {
-    hit_record<T> rec;
+    hit_record<T> rec{};
     const ring<T> flat{{1, 1, 0}, {0, 0, 1}, 2, 4};
     for (const auto& [x, v] : {std::pair<T, T>{3, 0}, {4, 0.5}, {5, 1}}) {
         REQUIRE(flat.hit({{x, 1, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));

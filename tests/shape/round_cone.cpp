@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("round_cone: area, and samples spread evenly over it", T, RAI
 TEST_CASE_TEMPLATE("round_cone: uv", T, RAIO_NUMBERS) {
     const round_cone<T> pear{{0, 0, 0}, {0, 0, 5}, 1, 4};
     const auto v = [&](const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(pear.hit(ray, T(0), infinity<T>, rec));
         return rec.uv.y;
     };

@@ -108,7 +108,7 @@ TEST_CASE_TEMPLATE("signed_distance: named cases", T, RAIO_NUMBERS) {
     const aabb<T> box{vec3<T>(-2), vec3<T>(2)};
     const signed_distance shape{box, tolerance, T(1), ball<T>{{0, 0, 0}, 1}};
     const auto t_of = [&](const auto& s, const ray<T>& ray, T t_min = 0) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         return s.hit(ray, t_min, infinity<T>, rec) ? rec.t : T(-1);
     };
     const auto about = [&](T t) { return doctest::Approx(double(t)).epsilon(4 * double(tolerance)); };
@@ -137,7 +137,7 @@ TEST_CASE_TEMPLATE("signed_distance: named cases", T, RAIO_NUMBERS) {
           T(-1));
     // Where the slope is no number, the normal is against the ray.
     const auto torn = [](const vec3<T>& p) { return p.x > 0 ? infinity<T> : std::abs(p.z) - 1; };
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(signed_distance{box, tolerance, T(1), torn}.hit(ahead, T(0), infinity<T>, rec));
     CHECK(rec.normal == vec3<T>(0, 0, 1));
     const auto steep = [](const vec3<T>& p) { return 2 * (std::abs(p.z) - T(0.5)); };
@@ -207,7 +207,7 @@ TEST_CASE_TEMPLATE("signed distance: what lies at the tolerance, or at the end o
     // A box without a height.
     const ball<T> ball{{0, 0, 0}, 1};
     const signed_distance flat{aabb<T>{{-1, -1, 0}, {1, 1, 0}}, tolerance, T(1), ball};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(flat.hit(up, T(0), infinity<T>, rec));
     CHECK(rec.t == 1);
 

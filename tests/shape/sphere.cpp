@@ -63,7 +63,7 @@ TEST_CASE_TEMPLATE("sphere: named cases", T, RAIO_NUMBERS) {
 /// What a closer look squares is 2^1044 here (the tree met it, the loop did not).
 TEST_CASE("sphere: met where the ray's speed and its distance have a product that has no square") {
     const sphere<double> ball{{0, 0, 0x1p101}, 0x1p69};
-    hit_record<double> rec;
+    hit_record<double> rec{};
     REQUIRE(ball.hit({{0, 0x1p68, 0}, {0, 0, 0x1p421}}, 0.0, infinity<double>, rec));
     CHECK(rec.t * 0x1p320 == doctest::Approx(1));
     CHECK(ball.occluded({{0, 0x1p68, 0}, {0, 0, 0x1p421}}, 0.0, infinity<double>));
@@ -76,7 +76,7 @@ TEST_CASE(
     const sphere<double> ball{{0, 0, 0}, 0x1p-879};
     const ray<double> along{{0x1p-900, -0x1p-607, 0x1p-900}, {0x1p-877, 0x1p422, 0x1p-879}};
     for (const double t_max : {0x1p-1029, 1.0, infinity<double>}) {
-        hit_record<double> rec;
+        hit_record<double> rec{};
         CAPTURE(t_max);
         CHECK(!ball.hit(along, 0.0, t_max, rec));
         CHECK(!ball.occluded(along, 0.0, t_max));
@@ -86,7 +86,7 @@ TEST_CASE(
 /// The square of the radius is 0, and so was the power of a point anywhere in it.
 TEST_CASE("sphere: of a radius without a square, from inside (it was left and entered at 0)") {
     const sphere<double> ball{{0, 0, 0}, 0x1p-719};
-    hit_record<double> rec;
+    hit_record<double> rec{};
     REQUIRE(ball.hit({{0, 0, 0}, {0, 0, 0x1p262}}, 0.0, infinity<double>, rec));
     CHECK((rec.t == 0x1p-981 && !rec.front_face));
     CHECK(!ball.occluded({{0, 0, 0}, {0, 0, 0x1p262}}, -0x1p-982, 0x1p-982));
@@ -107,7 +107,7 @@ TEST_CASE("sphere: from a point that lies on it exactly, and no root of 53 bits 
 
 TEST_CASE("sphere: seen from far away its point is as good as from close by") {
     const sphere<float> shape{{0, 0, 0}, 0x1.b2593cp-1f};
-    hit_record<float> rec;
+    hit_record<float> rec{};
     REQUIRE(shape.hit({{0, -0x1.baa426p+16f, 0}, {0, 0x1.ba5cf4p-7f, 0}}, 0, infinity<float>, rec));
     CHECK(rec.point == vec3<float>(0, -shape.radius, 0));
 }
@@ -115,7 +115,7 @@ TEST_CASE("sphere: seen from far away its point is as good as from close by") {
 TEST_CASE("sphere: a point beyond the largest number is recorded as the nearest that there is") {
     constexpr float most = std::numeric_limits<float>::max();
     const probe<sphere<float>> p{{vec3<float>(most), most}, {vec3<float>(most), vec3<float>(most)}};
-    hit_record<float> rec;
+    hit_record<float> rec{};
     REQUIRE(p.hit(rec));
     CHECK(rec.point == vec3<float>(most));
     CHECK(unsound_answer(p) == "");
@@ -149,7 +149,7 @@ TEST_CASE_TEMPLATE("sphere: area, and samples spread evenly over it", T, RAIO_NU
 TEST_CASE_TEMPLATE("sphere: uv", T, RAIO_NUMBERS) {
     const sphere<T> globe{{1, 1, 1}, 1};
     const auto uv = [&](const vec3<T>& outward) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(globe.hit({globe.center + outward * T(3), -outward}, T(0), infinity<T>, rec));
         return rec.uv;
     };

@@ -116,7 +116,7 @@ TEST_CASE_TEMPLATE("steiner: as exact arithmetic", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("steiner: uv and normal", T, RAIO_NUMBERS) {
     const steiner<T> roman{{1, 1, 1}, 6};
-    hit_record<T> rec;
+    hit_record<T> rec{};
     REQUIRE(roman.hit({{6, 6, 6}, {-1, -1, -1}}, T(0), infinity<T>, rec));
     CHECK(rec.uv.x == doctest::Approx(5.0 / 6));
     CHECK(rec.uv.y == doctest::Approx(5.0 / 6));

@@ -255,7 +255,7 @@ TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, RAIO_NUMBERS
         std::string points = literal(s.base) + literal(s.axis);
         for (const vec2<T>& p : s.profile) points += literal(p);
         CAPTURE(points);
-        hit_record<T> rec;
+        hit_record<T> rec{};
         const bool hit = s.hit(r, t_min, infinity<T>, rec);
         REQUIRE(s.occluded(r, t_min, infinity<T>) == hit);
         const std::vector<oracle> exact = exact_crossings(s, r);
@@ -291,7 +291,7 @@ TEST_CASE_TEMPLATE("surface of revolution: closed where its profile begins and e
         const vec2<T> rim = vase.profile[static_cast<std::size_t>(random.integer(0, 4))];
         const vec3<T> target =
             vase.base + vase.axis * rim.y + vec3<T>(random.perpendicular(to_double(vase.axis))) * rim.x;
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(vase.hit({from, target - from}, T(0), infinity<T>, rec));
         REQUIRE(!rec.front_face);
     }
@@ -305,7 +305,7 @@ TEST_CASE_TEMPLATE("surface of revolution: a ring across an axis has one coordin
 TEST_CASE_TEMPLATE("surface of revolution: uv and area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     const surface_of_revolution<T> cup = goblet<T>();
     const frame<T> f = frame_about(vec3<T>(0, 1, 0));
-    hit_record<T> rec;
+    hit_record<T> rec{};
     const auto uv_towards = [&](const vec3<T>& out, T height) {
         REQUIRE(cup.hit({out * T(9) + vec3<T>(0, height, 0), -out}, T(0), infinity<T>, rec));
         return rec.uv;

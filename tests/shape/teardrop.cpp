@@ -117,7 +117,7 @@ TEST_CASE_TEMPLATE("teardrop: as exact arithmetic", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("teardrop: uv and normal", T, RAIO_NUMBERS) {
     const teardrop<T> drop{{1, 1, 1}, {1, 1, 5}, 1};
     const auto hit = [&](const ray<T>& ray) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(drop.hit(ray, T(0), infinity<T>, rec));
         return rec;
     };

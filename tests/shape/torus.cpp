@@ -151,7 +151,7 @@ TEST_CASE_TEMPLATE("torus: through the axis from one side of a spindle into the 
         }
         CHECK(count == 1);
         // It touches the surface on the axis, from within.
-        hit_record<T> rec;
+        hit_record<T> rec{};
         CHECK(spindle.hit(r, T(5), infinity<T>, rec));
         CHECK(rec.t == T(6));
         CHECK(!rec.front_face);
@@ -167,7 +167,7 @@ TEST_CASE("torus: so small that no t is between its ends (1 was divided by that,
 
 TEST_CASE("torus: so large that no square of it is a number (two components of the normal were none)") {
     const torus<double> world{{0, 0, 0}, {0x1p-847, 0x1p-477, 0x1p-477}, 0x1p-670, 0x1p518};
-    hit_record<double> rec;
+    hit_record<double> rec{};
     REQUIRE(world.hit({{0, 0, 0}, {0, 0x1.2222222222222p-477, 0x1.2p-477}}, 0, infinity<double>, rec));
     CHECK(length(rec.normal) == doctest::Approx(1));
 }
@@ -270,7 +270,7 @@ TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, RAIO_NUM
 TEST_CASE_TEMPLATE("torus: uv", T, RAIO_NUMBERS) {
     const torus<T> ring{{1, 1, 1}, {0, 0, 1}, 2, 1};
     const auto uv = [&](const vec3<T>& from, const vec3<T>& direction) {
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE(ring.hit({ring.center + from, direction}, T(0), infinity<T>, rec));
         return rec.uv;
     };
@@ -294,7 +294,7 @@ TEST_CASE_TEMPLATE("torus: all crossings", T, RAIO_NUMBERS) {
 
 TEST_CASE("torus: the derivatives of t, by a number that carries them along") {
     const torus<dual> ring{{0, 0, 0}, {0, 0, 1}, dual::variable(2, 0), dual::variable(1, 1)};
-    hit_record<dual> rec;
+    hit_record<dual> rec{};
     REQUIRE(ring.hit({{dual::variable(6, 2), 0, 0}, {-1, 0, 0}}, 0, infinity<dual>, rec));
     CHECK(rec.t.value == doctest::Approx(3));
     CHECK(rec.t.slope[0] == doctest::Approx(-1));

@@ -83,8 +83,8 @@ void check_same_in_packs(const Shape& plain, const Packed& packed, const ray<num
     using T = number_t<Shape>;
     using P = number_t<Packed>;
     const auto check_along = [&](const vec3<T>& direction, T t_min, T t_max) {
-        hit_record<T> expected;
-        hit_record<P> found;
+        hit_record<T> expected{};
+        hit_record<P> found{};
         REQUIRE(plain.hit({r.origin, direction}, t_min, t_max, expected));
         REQUIRE(all(packed.hit({vec3<P>(r.origin), vec3<P>(direction)}, P(t_min), P(t_max), found)));
         for (std::size_t lane = 0; lane < P::lanes; ++lane)

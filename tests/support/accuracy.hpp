@@ -149,7 +149,7 @@ template <class Shape>
 change_of_crossing changes_of_input(const probe<Shape>& p, const crossing<oracle>& crossing) {
     using T = number_t<Shape>;
     const auto normal_of = [](const Shape& shape, const ray<T>& ray, const raio::crossing<oracle>& c) {
-        hit_record<oracle> exact;
+        hit_record<oracle> exact{};
         const raio::ray<oracle> exact_ray{exactly(ray.origin), exactly(ray.direction)};
         detail::record_crossing(converted<oracle>(shape), exact_ray, c, exact);
         return exact.normal;
@@ -193,7 +193,7 @@ double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec,
     const auto shape = converted<oracle>(p.shape);
     const ray<oracle> exact_ray{exactly(p.ray.origin), exactly(p.ray.direction)};
     const auto normal_at = [&](const ray<oracle>& ray, const raio::crossing<oracle>& c) {
-        hit_record<oracle> exact;
+        hit_record<oracle> exact{};
         detail::record_crossing(shape, ray, c, exact);
         return exact.normal;
     };
@@ -288,7 +288,7 @@ template <class Shape>
 std::string inexactness(const probe<Shape>& p, worst_errors& worst) {
     using T = number_t<Shape>;
     const std::vector recorded = recorded_crossings(p.shape, p.ray);
-    hit_record<T> rec;
+    hit_record<T> rec{};
     const bool hit = p.hit(rec);
     std::string wrong;
     bool compared = false;
@@ -333,7 +333,7 @@ bool is_excused(const probe<Shape>& p) {
 template <class Shape>
 std::string unlike_the_other_way(const probe<Shape>& p) {
     using T = number_t<Shape>;
-    hit_record<T> rec;
+    hit_record<T> rec{};
     const bool hit = p.shape.hit({p.ray.origin, -p.ray.direction}, T(0), infinity<T>, rec);
     const T last = hit ? -rec.t : -infinity<T>;
     T low = last, high = last;
@@ -367,7 +367,7 @@ void check_nothing_is_hit_beside(int rays) {
         probe<Shape> p = lattice_probe<Shape>(random);
         for_each_number(p.ray.direction, tilt);
         if (random.one_in(3)) for_each_number(p.ray.origin, tilt);
-        hit_record<T> rec;
+        hit_record<T> rec{};
         if (!p.hit(rec)) continue;
         const vec3<oracle> at(rec.point);
         const oracle off = abs(oracle(subject<exact_shape>::distance(converted<oracle>(p.shape), at)));
@@ -393,7 +393,7 @@ void check_accuracy(int rays, double excusable_doubles = 1e-3, double ordinary_u
     worst_errors worst;
     for_random_probes<Shape>("as exact arithmetic", rays, [&](const probe<Shape>& p, random_numbers&) -> std::string {
         hits += p.shape.occluded(p.ray, p.t_min, p.t_max);
-        hit_record<T> rec;
+        hit_record<T> rec{};
         vague += p.hit(rec) && is_vague(p, rec);
         const std::string wrong = inexactness(p, worst) + unlike_the_other_way(p);
         if (wrong.empty() || !is_excused(p)) return wrong;
@@ -499,7 +499,7 @@ void check_oracle() {
             behind = behind || c.t >= 0;
             const oracle off = subject<exact_shape>::distance(shape, inside + direction * c.t);
             REQUIRE_MESSAGE(abs(off) <= (abs(c.t) + length(inside)) * 1e-38, literal(p.shape));
-            hit_record<oracle> rec;
+            hit_record<oracle> rec{};
             detail::record_crossing(shape, ray<oracle>{inside, direction}, c, rec);
             rec.point = inside + direction * c.t;
             ++normals, beside += !is_across(shape, rec, oracle((abs(c.t) + norm1(inside)) * 1e-24));

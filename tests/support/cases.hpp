@@ -38,7 +38,7 @@ void check_cases(const std::vector<named_case<Shape>>& cases) {
     for (const named_case<Shape>& c : cases) {
         INFO(std::string(c.name));
         const probe<Shape> p{c.shape, c.ray, c.t_min, c.t_max};
-        hit_record<T> rec;
+        hit_record<T> rec{};
         const bool hit = p.hit(rec);
         CHECK(hit == c.expected.hit);
         if (hit && c.expected.hit) {

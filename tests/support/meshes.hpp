@@ -97,7 +97,7 @@ void check_closed_mesh(const std::vector<Triangle>& unit, double size = 1, const
         const ray<T> ray{origin, target - origin};
         std::vector<T> fronts, backs;
         for (const Triangle& other : mesh) {
-            hit_record<T> rec;
+            hit_record<T> rec{};
             if (other.hit(ray, T(0), infinity<T>, rec)) (rec.front_face ? fronts : backs).push_back(rec.t);
         }
         const auto at_one_t = [](const std::vector<T>& ts) {

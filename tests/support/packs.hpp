@@ -230,7 +230,7 @@ double fraction_asked_alone(int rays) {
         const auto found =
             detail::sift(detail::first_crossings<where>(packed.shape, packed.ray, t_min, t_max), t_min, t_max);
         if (none(found.sure)) continue;
-        hit_record<P> rec;
+        hit_record<P> rec{};
         std::uint32_t left = 0;
         detail::record_known<where>(packed.shape, packed.ray, t_min, t_max, rec, left);
         sure += std::popcount(bits(found.sure)), alone += std::popcount(bits(found.sure) & left);
@@ -246,7 +246,7 @@ double fraction_of_spawned_left_open(int rays, Arriving arriving) {
     const auto spawned = [&](random_numbers& random) {
         for (;;) {
             probe<Shape> p = arriving(random);
-            hit_record<T> rec;
+            hit_record<T> rec{};
             if (!p.shape.hit(p.ray, 0, infinity<T>, rec)) continue;
             p.ray = spawn_ray(rec, vec3<T>(vec3<double>(rec.normal) + random.direction()));
             p.t_min = 0, p.t_max = infinity<T>;

@@ -73,7 +73,7 @@ std::string unsound_answer(const probe<Shape>& p) {
 template <class Shape>
 std::string inconsistent_record(const probe<Shape>& p, double bend = infinity<double>) {
     using T = number_t<Shape>;
-    hit_record<T> rec;
+    hit_record<T> rec{};
     if (!p.hit(rec)) return "";
     // The normal is rounded: of a ray that grazes a plane by less than that it cannot tell the side.
     const vec3<double> direction = to_double(p.ray.direction);
@@ -87,7 +87,7 @@ std::string inconsistent_record(const probe<Shape>& p, double bend = infinity<do
 template <class Shape>
 std::string open_window(probe<Shape> p) {
     using T = number_t<Shape>;
-    hit_record<T> rec, again;
+    hit_record<T> rec{}, again{};
     if (!p.hit(rec)) return "";
     const probe<Shape> exactly{p.shape, p.ray, rec.t, rec.t};
     if (!exactly.hit(again)) return "missed in [t, t], " + literal(rec);
@@ -102,7 +102,7 @@ std::string open_window(probe<Shape> p) {
 template <class Shape>
 std::string direction_not_scaled(const probe<Shape>& p) {
     using T = number_t<Shape>;
-    hit_record<T> rec, scaled_rec;
+    hit_record<T> rec{}, scaled_rec{};
     const bool hit = p.shape.hit(p.ray, T(0), infinity<T>, rec);
     for (const int exponent : {-66, -1, 66}) {
         bool in_range = true;
@@ -137,7 +137,7 @@ template <solid Shape>
 std::string spans_unlike_hits(const probe<Shape>& p) {
     using T = number_t<Shape>;
     const spans inside = p.shape.spans(p.ray);
-    hit_record<T> rec;
+    hit_record<T> rec{};
     const auto is_hit = [&](T t) { return p.shape.occluded(p.ray, t, t); };
     T from = -infinity<T>;
     for (const interval<T>& span : inside) {
@@ -243,7 +243,7 @@ bool away_from_edges(const Shape& shape, const hit_record<number_t<Shape>>& rec)
 template <class Shape>
 std::string spawned_hit(const probe<Shape>& p, random_numbers& random) {
     using T = number_t<Shape>;
-    hit_record<T> rec, again;
+    hit_record<T> rec{}, again{};
     if (!p.hit(rec)) return "";
     for (int i = 0; i < 8; ++i) {
         const vec3<T> direction(random.direction());
@@ -282,7 +282,7 @@ void check_starts_on_surface(Make make) {
         const auto [shape, point] = make(random);
         using T = number_t<std::remove_cvref_t<decltype(shape)>>;
         const ray<T> ray{point, vec3<T>(random.direction())};
-        hit_record<T> rec;
+        hit_record<T> rec{};
         REQUIRE_MESSAGE(shape.hit(ray, T(0), infinity<T>, rec), literal(ray));
         REQUIRE_MESSAGE(rec.t == T(0), literal(ray) << ", " << literal(rec));
     }
@@ -295,7 +295,7 @@ void check_face_across_x(const Shape& shape) {
     for (int i = 1; i <= 40; ++i) {
         for (int j = 1; j <= 40; ++j) {
             const ray<T> ray{{T(i) / 8, T(0.25), T(0.125)}, {T(-j) / 8, 0, 0}};
-            hit_record<T> rec;
+            hit_record<T> rec{};
             REQUIRE(shape.hit(ray, T(0), infinity<T>, rec));
             REQUIRE_MESSAGE((rec.point.x == 0 && shape.bounds().contains(rec.point)), literal(ray));
         }

@@ -43,7 +43,7 @@ void check_sampling(const Shape& shape, ToSquare to_square) {
             const oracle distance = abs(about::distance(exact_shape, converted<oracle>(s.point)));
             REQUIRE(rounded<T>(distance) < 16 * eps * (size + length(s.point)));
         }
-        hit_record<T> rec;
+        hit_record<T> rec{};
         if (!shape.hit({s.point + s.normal * away, -s.normal}, T(0), infinity<T>, rec)) {
             ++lost;  // at an edge
             continue;

@@ -132,7 +132,7 @@ void check_like(const Tree& tree, const Loop& loop, random_numbers& random, int 
     int hits = 0;
     for (int i = 0; i < rays; ++i) {
         const question<T> q(random);
-        hit_record<T> expected, found;
+        hit_record<T> expected{}, found{};
         const bool hit = loop.hit(q.ray, q.t_min, q.t_max, expected);
         REQUIRE(tree.hit(q.ray, q.t_min, q.t_max, found) == hit);
         REQUIRE(same(found, expected));
