@@ -66,7 +66,8 @@ class surface_point {
 public:
     using number = W;
 
-    RAIO_FN constexpr surface_point(const Ray& ray, const raio::crossing<W>& c) : ray_(ray), crossing_(c) {}
+    RAIO_FN constexpr surface_point(const Ray& ray, const raio::crossing<W>& c, Record& rec)
+        : ray_(ray), crossing_(c), rec_(rec) {}
 
     /// What the shape's formula has found.
     RAIO_FN constexpr const raio::crossing<W>& crossing() const { return crossing_; }
@@ -90,7 +91,7 @@ public:
         if constexpr (is_mapped) {
             return own_point_;
         } else {
-            return point_;
+            return rec_.point;
         }
     }
 
@@ -98,14 +99,15 @@ public:
     /// \param bend  the smallest radius at which the surface curves; 0 if it is flat
     RAIO_FN constexpr void record_point(T bend = T(0)) {
         const auto& [origin, direction] = unmapped(ray_);
-        point_ = vec3<T>(sum_as<W>(origin, product_as<W>(direction, crossing_.t)));
+        rec_.point = vec3<T>(sum_as<W>(origin, product_as<W>(direction, crossing_.t)));
         if constexpr (last_precision<W>) {  // bounds without a thickness, as a single point's, expect no rounding of 0
             const vec3<T> rounding = abs(vec3<T>(origin)) * T(8 * unit_roundoff<W>);
             const auto not_0 = [](const T& p, const T& off) { return select(abs(p) <= off, T(0), p); };
-            point_ = {not_0(point_.x, rounding.x), not_0(point_.y, rounding.y), not_0(point_.z, rounding.z)};
+            rec_.point = {not_0(rec_.point.x, rounding.x), not_0(rec_.point.y, rounding.y),
+                          not_0(rec_.point.z, rounding.z)};
         }
-        const T reach = norm1(point_);
-        if (!all(is_finite(reach))) point_ = detail::put_within_range(point_);
+        const T reach = norm1(rec_.point);
+        if (!all(is_finite(reach))) rec_.point = detail::put_within_range(rec_.point);
         if constexpr (is_mapped) {
             own_point_ = vec3<T>(position());
             bend = ray_.stretched(bend + norm1(own_point_));
@@ -122,14 +124,14 @@ public:
         const T floor = bend * T(4 * in_t * in_t) + detail::least_apart(bend + reach) + least;
         using R = std::remove_cvref_t<decltype(origin.x)>;
         vec3<T> error = vec3<T>(abs(direction) * R(of_t)) + vec3<T>(abs(origin) * R(in_w));
-        error += abs(point_) * T(in_t + in_w);
-        error_ = detail::finite_error(error * T(up) + vec3<T>(floor));
+        error += abs(rec_.point) * T(in_t + in_w);
+        rec_.error = detail::finite_error(error * T(up) + vec3<T>(floor));
     }
 
     /// Says that the point may be off by that much more.
     RAIO_FN constexpr void add_error(T more) {
         if constexpr (is_mapped) more = ray_.stretched(more);
-        error_ = detail::finite_error(error_ + vec3<T>(more));
+        rec_.error = detail::finite_error(rec_.error + vec3<T>(more));
     }
 
     /// Keeps the point within the bounds of the shape: where little more is known of t than its own digits, as of a ray
@@ -144,20 +146,20 @@ public:
         constexpr bool any_may = detail::lacks_digits<T, working_t<T>>;
         if constexpr (is_mapped || !any_may) {
             // `padded` has room for the rounding of the point to T, and for a 128th more.
-            const E room = norm1(vec3<E>(vec3<W>(point_))) * E((any_may ? 32 : 0x1p-7) * unit_roundoff<T>);
-            const E off = norm1(vec3<E>(vec3<W>(direction))) * crossing_.error +
-                          norm1(vec3<E>(vec3<W>(origin))) * E(8 * unit_roundoff<W>);
+            const T room = norm1(rec_.point) * T((any_may ? 32 : 0x1p-7) * unit_roundoff<T>);
+            const T off =
+                norm1(vec3<T>(direction)) * T(crossing_.error) + norm1(vec3<T>(origin)) * T(8 * unit_roundoff<W>);
             unknown = !(off <= room);
             if (none(unknown)) return;
         }
         if constexpr (is_mapped) {
             const vec3<T> kept = nearest_in(bounds(), own_point_);
             if (kept == own_point_) return;
-            point_ = within_range(vec3<T>(ray_.point(vec3<Q>(kept))));
+            rec_.point = within_range(vec3<T>(ray_.point(vec3<Q>(kept))));
             add_error(norm1(vec3<T>(kept - own_point_)) + norm1(kept) * T(8 * unit_roundoff<Q>));
             own_point_ = kept;
         } else {
-            point_ = select(unknown, nearest_in(bounds(), point_), point_);
+            rec_.point = select(unknown, nearest_in(bounds(), rec_.point), rec_.point);
         }
     }
     /// The same of a point that lies between corners, which may be seen edge-on.
@@ -165,7 +167,7 @@ public:
         if constexpr (is_mapped) {
             own_point_ = nearest_in(corners, own_point_);
         } else {
-            point_ = nearest_in(corners, point_);
+            rec_.point = nearest_in(corners, rec_.point);
         }
     }
 
@@ -176,9 +178,9 @@ public:
         const auto put = [](const T& n_j, const T& n_k, const T& known, T& p) {
             p = select(every(n_j == T(0), n_k == T(0)), known, p);
         };
-        put(normal.y, normal.z, on_plane.x, point_.x);
-        put(normal.z, normal.x, on_plane.y, point_.y);
-        put(normal.x, normal.y, on_plane.z, point_.z);
+        put(normal.y, normal.z, on_plane.x, rec_.point.x);
+        put(normal.z, normal.x, on_plane.y, rec_.point.y);
+        put(normal.x, normal.y, on_plane.z, rec_.point.z);
     }
 
     /// Puts the point onto a face of a box, of which one coordinate is known without any error, and records the normal.
@@ -202,9 +204,9 @@ public:
                 normal = choose(on, choose(forward, T(-1), T(1)), T(0));
             };
             vec3<R> d = ray_.direction;
-            put(axis == index_t<W>(0), d.x, box.min.x, box.max.x, point_.x, error_.x, normal_.x);
-            put(axis == index_t<W>(1), d.y, box.min.y, box.max.y, point_.y, error_.y, normal_.y);
-            put(axis == index_t<W>(2), d.z, box.min.z, box.max.z, point_.z, error_.z, normal_.z);
+            put(axis == index_t<W>(0), d.x, box.min.x, box.max.x, rec_.point.x, rec_.error.x, rec_.normal.x);
+            put(axis == index_t<W>(1), d.y, box.min.y, box.max.y, rec_.point.y, rec_.error.y, rec_.normal.y);
+            put(axis == index_t<W>(2), d.z, box.min.z, box.max.z, rec_.point.z, rec_.error.z, rec_.normal.z);
         }
     }
 
@@ -214,7 +216,7 @@ public:
     RAIO_FN constexpr void record_normal(const vec3<V>& outward) {
         if constexpr (has_normal<Record>) {
             vec3<Q> unit = normalize_from<T>(seen(vec3<Q>(outward)));
-            normal_ = vec3<T>(unit) * choose(mask_t<T>(entering()), T(1), T(-1));
+            rec_.normal = vec3<T>(unit) * choose(mask_t<T>(entering()), T(1), T(-1));
         }
     }
 
@@ -227,9 +229,9 @@ public:
             vec3<Q> normal = outward * quotient(select(mask_t<Q>(entering()), Q(1), Q(-1)), steep, Q(0));
             const mask_t<Q> against = every(steep > Q(0), dot(normal, along) <= Q(unit_roundoff<T>));
             if constexpr (is_mapped) {
-                normal_ = vec3<T>(against ? normalize(seen(normal)) : against_ray());
+                rec_.normal = vec3<T>(against ? normalize(seen(normal)) : against_ray());
             } else {
-                normal_ = vec3<T>(select(against, normal, -along));
+                rec_.normal = vec3<T>(select(against, normal, -along));
             }
         }
     }
@@ -237,38 +239,45 @@ public:
     /// The same in some of the lanes.
     RAIO_FN constexpr void record_gradient(const vec3<W>& gradient, const mask_t<T>& where) {
         if constexpr (has_normal<Record>) {
-            vec3<T> other = normal_;
+            vec3<T> other = rec_.normal;
             record_gradient(gradient);
-            normal_ = select(where, normal_, other);
+            rec_.normal = select(where, rec_.normal, other);
         }
     }
 
     /// Records a normal that is unit and faces the ray already.
-    RAIO_FN constexpr void record_facing(const vec3<T>& normal) { normal_ = normal; }
+    RAIO_FN constexpr void record_facing(const vec3<T>& normal) { rec_.normal = normal; }
 
     /// Records uv.
     /// \param find  answers with it: angles are not asked for in vain
     template <class Find>
     RAIO_FN constexpr void record_uv(Find find) {
-        if constexpr (has_uv<Record>) uv_ = find();
+        if constexpr (has_uv<Record>) rec_.uv = find();
     }
 
-    RAIO_FN constexpr void fill(Record& rec) const {
-        detail::put(rec.t, t());
-        if constexpr (has_point<Record>) detail::put(rec.point, point_);
-        if constexpr (has_error<Record>) detail::put(rec.error, error_);
-        if constexpr (has_index<Record>) detail::put(rec.index, index_t<T>{});
-        if constexpr (has_front_face<Record>) detail::put(rec.front_face, entering());
-        if constexpr (has_normal<Record>) detail::put(rec.normal, normal_);
-        if constexpr (has_uv<Record>) detail::put(rec.uv, uv_);
+    /// Says the rest, and fills the record.
+    RAIO_FN constexpr void fill(Record& rec) {
+        rec_.t = t(), rec_.index = index_t<T>{}, rec_.front_face = mask_t<T>(entering());
         if constexpr (has_normal<Record>) {
-            if (!all(is_finite(norm1(normal_)))) [[unlikely]]
-                put_against(unmapped(ray_).direction, rec);
+            // Where the shape's numbers are so uneven that no normal is left of them, it is against the ray; and what
+            // is left of uv is 0.
+            const mask_t<T> known = is_finite(norm1(rec_.normal));
+            if (!all(known)) [[unlikely]] {
+                rec_.normal = select(known, rec_.normal, vec3<T>(against_ray()));
+                const auto number_or_0 = [](const T& x) { return select(x == x, x, T(0)); };
+                if constexpr (has_uv<Record>) rec_.uv = {number_or_0(rec_.uv.x), number_or_0(rec_.uv.y)};
+            }
         }
+        if constexpr (!is_full) assign(rec, rec_);
     }
 
 private:
     static constexpr bool is_mapped = detail::is_mapped<Ray>;
+    static constexpr bool is_full = std::same_as<Record, hit_record<T>>;
+    /// For a record that has no room for all of it.
+    struct own_record : hit_record<T> {
+        RAIO_FN constexpr explicit own_record(Record&) {}
+    };
     struct nothing {};
 
     /// A vector across the surface, as it is seen.
@@ -279,27 +288,15 @@ private:
             return outward;
         }
     }
-    RAIO_FN constexpr vec3<Q> against_ray() const { return -normalize(vec3<Q>(vec3<W>(unmapped(ray_).direction))); }
+    [[gnu::noinline]] RAIO_FN static constexpr vec3<Q> against(vec3<Q> direction) { return -normalize(direction); }
+    RAIO_FN constexpr vec3<Q> against_ray() const { return against(vec3<Q>(vec3<W>(unmapped(ray_).direction))); }
 
     RAIO_FN constexpr T t() const { return T(crossing_.t) + T(0); }  // never -0
 
-    /// Where the shape's numbers are so uneven that no normal is left of them, it is against the ray; and what is left
-    /// of uv is 0.
-    template <class Direction>
-    [[gnu::noinline]] RAIO_FN static constexpr void put_against(const Direction& direction, Record& rec) {
-        const mask_t<T> known = is_finite(norm1(vec3<T>(rec.normal)));
-        detail::put(rec.normal, select(known, vec3<T>(rec.normal), vec3<T>(-normalize(vec3<Q>(vec3<W>(direction))))));
-        if constexpr (has_uv<Record>) {
-            const auto number_or_0 = [](const T& x) { return select(x == x, x, T(0)); };
-            detail::put(rec.uv, vec2<T>(number_or_0(T(rec.uv.x)), number_or_0(T(rec.uv.y))));
-        }
-    }
-
     const Ray& ray_;
     const raio::crossing<W>& crossing_;
-    vec3<T> point_, error_, normal_;
+    std::conditional_t<is_full, hit_record<T>&, own_record> rec_;
     [[no_unique_address]] std::conditional_t<is_mapped, vec3<T>, nothing> own_point_;  ///< before all maps
-    vec2<T> uv_;
 };
 
 namespace detail {
@@ -315,7 +312,7 @@ template <class Shape, class Ray, class W, record Record>
 RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const crossing<W>& crossing, Record& rec) {
     using T = typename Shape::number;
     using point = surface_point<W, T, Ray, Record>;
-    point at(ray, crossing);
+    point at(ray, crossing, rec);
     shape.surface(at);
     at.fill(rec);
     if constexpr (lacks_digits<T, W> && has_tips<Shape, point>) {
