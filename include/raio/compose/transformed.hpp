@@ -31,7 +31,7 @@ public:
     RAIO_FN constexpr const transform<T>& map() const { return inverse_.map(); }
 
     template <ray_of<T> Ray = raio::ray<T>, record Record>
-    RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+    RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
         if constexpr (detail::has_lanes<T>) {
             return detail::first_hit_in_lanes(*this, ray, t_min, t_max, rec);
         } else {
@@ -40,7 +40,7 @@ public:
     }
 
     template <ray_of<T> Ray = raio::ray<T>>
-    RAIO_FN constexpr mask_t<T> occluded(const Ray& ray, T t_min, T t_max) const {
+    RAIO_FLATTEN RAIO_FN constexpr mask_t<T> occluded(const Ray& ray, T t_min, T t_max) const {
         if constexpr (detail::has_lanes<T>) {
             return detail::any_hit_in_lanes(*this, ray, t_min, t_max);
         } else {

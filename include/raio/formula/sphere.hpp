@@ -62,41 +62,49 @@ RAIO_FN constexpr void tell_side(const mask_t<W>& known, const W& b, const W& s,
     far_end = choose_where(every(starts, sum < W(0)), better, far_end);
 }
 
-/// Do the ray's floats leave W, a double, more than half its digits to spare? (The shape's are no longer.)
-template <class W, class R>
-inline constexpr bool has_spare_digits = std::same_as<scalar_t<W>, strict_double>&& std::same_as<scalar_t<R>, float>;
+/// Do the floats of a shape and its rays leave W, a double, more than half its digits to spare?
+template <class W, class T>
+inline constexpr bool has_spare_digits = std::same_as<scalar_t<W>, strict_double>&& std::same_as<scalar_t<T>, float>;
 
 /// The same, with less to do where the line is known to miss, or to cross a sphere less than some ninety radii away.
 ///
 /// There b^2 - a c is good enough for s^2. Each component of l is off by K roundings, of d by L, and the radius by M:
 /// b is off by K + L + 3 roundings of |l| |d|, and b^2 - a c by less than 4 K + 4 L + 2 M + 18 of a (l.l + radius^2).
-/// Two more are for the roundings of that bound.
+/// Two more are for the roundings of that bound. If l and d have bounds of their errors, dl and dd, b^2 - a c is off by
+/// 4 a |l| dl + 4 (l.l + radius^2) |d| dd besides, to first order; twice that covers the rest.
 ///
 /// If s^2 is far above it, s is off by half of bound / s. And as s is at most |d| radius, |l| |d| is at most
-/// a (l.l + radius^2) / (2 s): the roundings of b, of b -+ s and of the division come to half of bound / s as well.
+/// a (l.l + radius^2) / (2 s): what b, b -+ s and the division are off by comes to half of bound / s as well.
 ///
-/// What doubles cross goes the other way: of their t more is wanted. And so does the line of a ray that was mapped.
+/// What doubles cross goes the other way: of their t more is wanted.
+/// \tparam T     of what the shape and its rays are made
 /// \param power  answers with the `power_of_point` of a point, the ray's origin
-template <class W, real R, int K, int L, int M, class Power>
-[[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere_along(const line<W, R>& line,
-                                                                     const rounded_vector<W, K>& l,
-                                                                     const rounded_vector<W, L>& d,
-                                                                     const rounded_number<W, M>& radius,
-                                                                     [[maybe_unused]] Power power) {
+template <class T, class Line, proven_vector L, proven_vector D, int M, class Power>
+[[gnu::always_inline]] RAIO_FN constexpr auto cross_sphere_along(const Line& line, const L& l, const D& d,
+                                                                 const rounded_number<typename Line::number, M>& radius,
+                                                                 [[maybe_unused]] Power power)
+    -> chord<typename Line::number> {
+    using W = typename Line::number;
     using E = bound_t<W>;
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
 
-    constexpr double roundings = (4 * K + 4 * L + 2 * M + 20) * unit_roundoff<W>;
+    constexpr int before = detail::roundings_in<L> + detail::roundings_in<D>;
+    constexpr double roundings = (4 * before + 2 * M + 20) * unit_roundoff<W>;
     W a = square(d).value, b = dot(l, d).value, l2 = square(l).value, r2 = square(radius).value;
     W s2 = b * b - a * (l2 - r2);
     E of_a(a), of_c(l2 + r2), least(0);
-    if constexpr (!has_spare_digits<W, R> || K + L + M > 1) {  // the squares may be too small to have all digits
+    if constexpr (!has_spare_digits<W, T> || before + M > 1) {  // the squares may be too small to have all digits
         least = E(detail::lost<W>), of_a += least, of_c += least;
     }
     E bound = E(roundings) * of_a * of_c + least;
+    if constexpr (!Line::is_exact) {
+        const E l_error = detail::error_of(l), d_error = detail::error_of(d);
+        const E of_both = of_a * (detail::most_of(l) + size_of(radius)) * l_error + of_c * detail::most_of(d) * d_error;
+        bound += E(8) * of_both;
+    }
     mask_t<W> passes = s2 < -W(bound);
     if (may_leave<W>(passes)) return nowhere<W>(true);
-    if constexpr (!has_spare_digits<W, R> && !only_sieves<W>) return cross_sphere(l, d, radius);
+    if constexpr (!has_spare_digits<W, T> && !only_sieves<W>) return cross_sphere(l, d, radius);
 
     mask_t<W> meets = every(s2 > W(0x1p-13 / roundings) * W(bound), is_finite(s2), radius.value > W(0));
     mask_t<W> known = some(passes, meets);
@@ -112,12 +120,6 @@ template <class W, real R, int K, int L, int M, class Power>
     if (all(known)) return c;
     chord<W> other = cross_sphere(l, d, radius);
     return {select(known, c.near, other.near), select(known, c.far, other.far)};
-}
-
-template <class W, proven_vector L, proven_vector D, int M, class Power>
-[[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere_along(const mapped_line<W>&, const L& l, const D& d,
-                                                                     const rounded_number<W, M>& radius, Power) {
-    return cross_sphere(l, d, radius);
 }
 
 }  // namespace raio

@@ -91,6 +91,12 @@ RAIO_FN constexpr bound_t<W> error_of(const bounded_vector<W>& v) {
     return v.error;
 }
 
+/// How many roundings its components have, of which its error does not tell.
+template <class V>
+inline constexpr int roundings_in = 0;
+template <class W, int K>
+inline constexpr int roundings_in<rounded_vector<W, K>> = K;
+
 /// As large as the exact vector may be.
 template <proven_vector V>
 RAIO_FN constexpr auto most_of(const V& v) {

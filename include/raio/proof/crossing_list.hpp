@@ -281,7 +281,7 @@ requires detail::lists_crossings<Shape, Ray> RAIO_FN constexpr auto inside_of(co
         return false;
     };
     if constexpr (detail::works_first<T>) {
-        detail::keep_as_stored<T>(shape, ray);
+        detail::keep_as_stored<T>(shape, unmapped(ray));
         detail::visit_recorded<T>(shape.crossings(line_in<working_t<T>>(ray)), exact, pass);
     } else {
         for (const crossing<X>& c : listed(exact())) pass(c);

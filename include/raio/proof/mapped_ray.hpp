@@ -106,7 +106,7 @@ class mapped_ray {
 public:
     /// Both have to live longer than this.
     RAIO_FN constexpr mapped_ray(const ray<T>& world, const inverse_map<T>& map)
-        : world_(world), map_(map), quick_(map(raio::line<Q, T>{world})) {}
+        : world_(world), map_(map), quick_(map(raio::line<Q, T>{stored(world)})) {}
     RAIO_FN constexpr mapped_ray(const mapped_ray& outer, const inverse_map<T>& map)
         : world_(outer.world_), outer_(&outer), map_(map), quick_(map(outer.quick_)) {}
 
@@ -154,6 +154,11 @@ public:
     }
 
 private:
+    RAIO_FN static constexpr const ray<T>& stored(const ray<T>& ray) {
+        detail::keep_as_stored<T>(ray);
+        return ray;
+    }
+
     const ray<T>& world_;
     const mapped_ray* outer_ = nullptr;
     const inverse_map<T>& map_;

@@ -114,7 +114,7 @@ template <real T, class Shape, class Ray, class Then>
 template <question Asked, real T, class Shape, class Ray, class Then>
 RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T>) {
-        keep_as_stored<T>(shape, ray);
+        keep_as_stored<T>(shape, unmapped(ray));
         auto [first, known] =
             settled_in_window<Asked>(crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max), t_min, t_max);
         if (known) [[likely]]
@@ -152,7 +152,7 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
         return interval<T>{select(meets, T(near.t), infinity<T>), select(meets, T(far.t), -infinity<T>)};
     };
     if constexpr (detail::works_first<T>) {
-        detail::keep_as_stored<T>(shape, ray);
+        detail::keep_as_stored<T>(shape, unmapped(ray));
         auto quick = shape.crossings(line_in<working_t<T>>(ray));
         auto& [near, far] = quick;
         const bool missed = every(!near.exists, !far.exists, near.certain, far.certain);

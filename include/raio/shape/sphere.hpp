@@ -54,7 +54,7 @@ struct sphere {
             using D = wide_t<W>;
             return power_of_point<1, W>(difference_as<D>(center, origin), D(radius));
         };
-        return cross_sphere_along(line, line.to(center), line.direction(), line.given(radius), power);
+        return cross_sphere_along<T>(line, line.to(center), line.direction(), line.given(radius), power);
     }
 
     template <class Point>
