@@ -38,8 +38,8 @@ class inverse_map {
     };
 
 public:
-    /// Of a singular map, or one whose determinant is out of the range of its numbers, the inverse is zero: nothing is
-    /// hit under it.
+    /// Of a singular map the inverse is zero: nothing is hit under it. So it is of a map whose determinant is out of the
+    /// range of its numbers, or is lost among its terms.
     RAIO_FN constexpr explicit inverse_map(const transform<T>& map) : map_(map), rows_(rows_in<Q>(map)) {}
 
     RAIO_FN constexpr const transform<T>& map() const { return map_; }
