@@ -96,7 +96,7 @@ struct algebraic {
             bend = T(0);
         }
         at.record_point(bend);
-        detail::clipped_surface(at, aabb<T>{min, max}, axis, [this](const auto& p) { return gradient(p); });
+        detail::clipped_surface(at, aabb<T>{min, max}, axis, [&](const auto& p) { return gradient(p); });
     }
 
 private:

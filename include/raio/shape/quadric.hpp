@@ -73,7 +73,7 @@ struct quadric {
     RAIO_FN constexpr void surface(Point& at) const {
         at.record_point(norm1(max - min));
         const auto axis = at.face() - index_t<typename Point::number>(1);
-        detail::clipped_surface(at, aabb<T>{min, max}, axis, [this](const auto& p) { return gradient(p); });
+        detail::clipped_surface(at, aabb<T>{min, max}, axis, [&](const auto& p) { return gradient(p); });
     }
 
 private:
