@@ -34,7 +34,7 @@ struct signed_distance {
         return walk(ray, [&](T t, bool entering) {
             if (!(t_min <= t && t <= t_max)) return false;
             const crossing<T> c{true, true, t, T(0), entering};
-            surface_point<T, T, raio::ray<T>, Record> at(ray, c);
+            surface_point<T, T, raio::ray<T>, Record> at(ray, c, rec);
             at.record_point();
             at.keep_between(box);
             if constexpr (has_normal<Record> || has_error<Record>) record_slope(at);
