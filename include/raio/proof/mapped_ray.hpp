@@ -38,8 +38,8 @@ class inverse_map {
     };
 
 public:
-    /// Of a singular map the inverse is zero: nothing is hit under it. So it is of a map whose determinant is out of the
-    /// range of its numbers, or is lost among its terms.
+    /// Of a singular map the inverse is zero: nothing is hit under it. So it is of a map whose determinant is out of
+    /// the range of its numbers, or is lost among its terms.
     RAIO_FN constexpr explicit inverse_map(const transform<T>& map) : map_(map), rows_(rows_in<Q>(map)) {}
 
     RAIO_FN constexpr const transform<T>& map() const { return map_; }
@@ -121,17 +121,18 @@ public:
 
     /// The line that the shape sees, in numbers of W.
     template <class W>
-    RAIO_FN constexpr mapped_line<W> line() const {
+    RAIO_FN constexpr decltype(auto) line() const {
         if constexpr (std::same_as<W, Q>) {
-            return quick_;
+            return (quick_);                                   // where it stands: GCC would keep a copy in memory
         } else if constexpr (!std::same_as<W, scalar_t<W>>) {  // in every lane of a pack
             const auto in_lanes = [](const Q& x) { return W(scalar_t<W>(static_cast<double>(x))); };
             const auto spread = [&](const bounded_vector<Q>& v) {
                 return bounded_vector<W>{in_lanes(v.x), in_lanes(v.y), in_lanes(v.z), bound_t<W>(in_lanes(v.error))};
             };
-            return {spread(quick_.origin()), spread(quick_.direction())};
+            return mapped_line<W>{spread(quick_.origin()), spread(quick_.direction())};
         } else {
-            return outer_ == nullptr ? map_(raio::line<W, T>{world_}) : map_(outer_->template line<W>());
+            if (outer_ == nullptr) return map_(raio::line<W, T>{world_});
+            return map_(outer_->template line<W>());
         }
     }
 
@@ -153,6 +154,18 @@ public:
         return outer_ == nullptr ? mapped : outer_->stretched(mapped);
     }
 
+    /// What it is made of.
+    struct origin {
+        using ray = mapped_ray;
+
+        const raio::ray<T>& world;
+        const mapped_ray* outer;
+        const inverse_map<T>& map;
+    };
+    RAIO_FN constexpr origin made_of() const { return {world_, outer_, map_}; }
+    RAIO_FN constexpr explicit mapped_ray(const origin& of)
+        : mapped_ray(of.outer == nullptr ? mapped_ray(of.world, of.map) : mapped_ray(*of.outer, of.map)) {}
+
 private:
     RAIO_FN static constexpr const ray<T>& stored(const ray<T>& ray) {
         detail::keep_as_stored<T>(ray);
@@ -173,7 +186,7 @@ RAIO_FN constexpr vec3<typename V::number> vector_in(const V& v) {
 
 /// Its line in numbers of W.
 template <class W, real T>
-RAIO_FN constexpr mapped_line<W> line_in(const mapped_ray<T>& ray) {
+RAIO_FN constexpr decltype(auto) line_in(const mapped_ray<T>& ray) {
     return ray.template line<W>();
 }
 
@@ -197,11 +210,29 @@ RAIO_FN constexpr vec3<W> direction_as(const Ray& ray) {
 }
 template <class W, real T, real V>
 RAIO_FN constexpr vec3<W> seen_from(const vec3<V>& p, const mapped_ray<T>& ray, const W& t) {
-    const auto line = line_in<W>(ray);
+    const auto& line = line_in<W>(ray);
     return vector_in(line.from(p)) + vector_in(line.direction()) * t;
 }
 
 namespace detail {
+
+/// What a ray can be made of again: who is given that has not seen the ray itself, which can stay in registers.
+template <real T>
+RAIO_FN constexpr const ray<T>& origin_of(const ray<T>& ray) {
+    return ray;
+}
+template <real T>
+RAIO_FN constexpr auto origin_of(const mapped_ray<T>& ray) {
+    return ray.made_of();
+}
+template <real T>
+RAIO_FN constexpr const ray<T>& made_of(const ray<T>& ray) {
+    return ray;
+}
+template <class Origin>
+RAIO_FN constexpr auto made_of(const Origin& origin) {
+    return typename Origin::ray(origin);
+}
 
 template <class Ray>
 inline constexpr bool is_mapped = false;

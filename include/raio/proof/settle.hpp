@@ -78,9 +78,10 @@ RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit vis
 
 /// The same question, if the quick crossing has not answered it: the exact formula decides. Out of line, and without
 /// what is known already: where this is rare, it must not cost the common case its registers.
-template <real T, class Shape, class Ray, class Then>
-[[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const Ray& ray, T t_min, T t_max,
+template <real T, class Shape, class Origin, class Then>
+[[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const Origin& origin, T t_min, T t_max,
                                                             Then then) {
+    const auto& ray = made_of(origin);
     using W = working_t<T>;
     using X = exact_t<T>;
     if constexpr (works_first<T> && keeps_all_digits<T>) {
@@ -91,7 +92,7 @@ template <real T, class Shape, class Ray, class Then>
             [&](const auto& c) {
                 auto first = first_in_window(c, t_min, t_max);
                 if (!first.exists) return false;
-                met = then(first);
+                met = then(ray, first);
                 return true;
             });
         return met;
@@ -103,10 +104,10 @@ template <real T, class Shape, class Ray, class Then>
             if (!exact.exists) {
                 auto [quick, known] = settled_in_window<question::whether>(
                     crossings_for<W, question::where>(shape, ray, t_min, t_max), t_min, t_max);
-                if (known && quick.exists) return then(quick);
+                if (known && quick.exists) return then(ray, quick);
             }
         }
-        return then(exact);
+        return then(ray, exact);
     }
 }
 
@@ -118,9 +119,9 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_
         auto [first, known] =
             settled_in_window<Asked>(crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max), t_min, t_max);
         if (known) [[likely]]
-            return then(first);
+            return then(ray, first);
     }
-    return settle_closer(shape, ray, t_min, t_max, then);
+    return settle_closer(shape, origin_of(ray), t_min, t_max, then);
 }
 
 }  // namespace detail
@@ -130,15 +131,15 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_
 template <real T, class Shape, class Ray>
 RAIO_FLATTEN RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const Ray& ray, T t_min, T t_max) {
     return detail::settle<detail::question::whether>(shape, ray, t_min, t_max,
-                                                     [](const auto& crossing) { return crossing.exists; });
+                                                     [](const auto&, const auto& crossing) { return crossing.exists; });
 }
 
 /// `hit` of every shape that has also `surface(at)`: the same crossing, and what to record of it.
 /// \tparam Asked  `only_where` if there is one beyond doubt
 template <detail::question Asked = detail::question::where, real T, class Shape, class Ray, record Record>
 RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
-    return detail::settle<Asked>(shape, ray, t_min, t_max, [&](const auto& crossing) {
-        if (crossing.exists) detail::record_crossing(shape, ray, crossing, rec);
+    return detail::settle<Asked>(shape, ray, t_min, t_max, [&](const auto& same_ray, const auto& crossing) {
+        if (crossing.exists) detail::record_crossing(shape, same_ray, crossing, rec);
         return crossing.exists;
     });
 }
