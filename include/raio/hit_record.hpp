@@ -74,19 +74,24 @@ RAIO_FN constexpr vec3<T> within_range(const vec3<T>& p) {
     return {clamped(p.x), clamped(p.y), clamped(p.z)};
 }
 
-/// Takes `from` over into `to`, in the lanes of the mask. (Not asked whether that is all of them: a pack that is
-/// written where the mask is set need not be read.)
+/// Takes `from` over into `to`, in the lanes of the mask. What else the record has stays as it is. (Not asked whether
+/// the mask is set in all lanes: a pack that is written where it is need not be read.)
 template <class Mask, record Record>
 RAIO_FN constexpr void assign(const Mask& mask, Record& to, const Record& from) {
-    to.t = select(mask, from.t, to.t);
-    if constexpr (has_point<Record>) to.point = select(mask, from.point, to.point);
-    if constexpr (has_normal<Record>) to.normal = select(mask, from.normal, to.normal);
-    if constexpr (has_uv<Record>) to.uv = select(mask, from.uv, to.uv);
-    if constexpr (has_error<Record>) to.error = select(mask, from.error, to.error);
-    if constexpr (has_index<Record>) to.index = select(mask, from.index, to.index);
-    if constexpr (has_front_face<Record>) {
-        to.front_face = some(every(mask, from.front_face), every(!mask, to.front_face));
-    }
+    const auto take = [&mask](auto& member, const auto& new_member) {
+        if constexpr (!std::same_as<Mask, bool>) {
+            member = select(mask, new_member, member);
+        } else if (mask) {
+            member = new_member;
+        }
+    };
+    take(to.t, from.t);
+    if constexpr (has_point<Record>) take(to.point, from.point);
+    if constexpr (has_normal<Record>) take(to.normal, from.normal);
+    if constexpr (has_uv<Record>) take(to.uv, from.uv);
+    if constexpr (has_error<Record>) take(to.error, from.error);
+    if constexpr (has_index<Record>) take(to.index, from.index);
+    if constexpr (has_front_face<Record>) take(to.front_face, from.front_face);
 }
 
 /// Takes over what the record has room for.

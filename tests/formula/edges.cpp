@@ -17,7 +17,7 @@ TEST_CASE("edge_crossing: the bounds of t, u and v, from above as well") {
         const ray<double> ray{a + all_but_across(normal, random), all_but_across(normal, random)};
         const vec3<W> corner(a);
         const auto anywhere = [](const W&, const W&, const W&) { return infinity<W>; };
-        const auto met = cross_edges(corner, vec3<W>(b) - corner, vec3<W>(c) - corner, ray, anywhere);
+        const auto met = cross_edges(corner, vec3<W>(b) - corner, vec3<W>(c) - corner, line_in<W>(ray), anywhere);
         if (met.size == W(0)) continue;  // there is no side to be on
         const vec3<oracle> e1 = vec3<oracle>(b) - vec3<oracle>(a), e2 = vec3<oracle>(c) - vec3<oracle>(a);
         const vec3<oracle> d(ray.direction), s = vec3<oracle>(ray.origin) - vec3<oracle>(a), n = cross(e1, e2);
@@ -36,7 +36,8 @@ TEST_CASE("edge_crossing: the bounds of t, u and v, from above as well") {
 TEST_CASE("edge_crossing: what is out of range on the way is not taken for a miss (bundles were certain of one)") {
     const vec3<float> corner(0x1p59f, 0, 0), e1(0x1p91f, 0x1p91f, 0), e2(-0x1p59f, 0, 0);
     const auto inside = [](float size, float u, float v) { return size - u - v; };
-    const auto met = cross_edges(corner, e1, e2, ray<float>{{0, 0, 0}, {0, 0, -0x1p-29f}}, inside);
+    const ray<float> ray{{0, 0, 0}, {0, 0, -0x1p-29f}};
+    const auto met = cross_edges(corner, e1, e2, line_in<float>(ray), inside);
     REQUIRE(met.v == infinity<float>);
     CHECK(!met.at.certain);
 }

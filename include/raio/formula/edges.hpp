@@ -46,15 +46,16 @@ RAIO_FN constexpr bound_t<W> terms_of_way(const vec3<W>& a, const vec3<W>& b, co
 ///
 /// The size |a| of a vector is the sum of its components' magnitudes. Edges and s are rounded once each, a cross
 /// product rounds twice, a product with that three times. So a.(b x c) is off by at most 7 roundings of |a| |b| |c|;
-/// one more is for those of the bound. (Of the sizes, since where p or q is out of range so are these.) \param inside
-/// how far inside the shape a crossing is, of `size`, u and v: the least of u, v and what is left of
+/// one more is for those of the bound. (Of the sizes, since where p or q is out of range so are these.) Where a ray was
+/// mapped, what its numbers are off by is added.
+/// \param inside  how far inside the shape a crossing is, of `size`, u and v: the least of u, v and what is left of
 ///                `size` beside them, or beside one of them; negative outside
 /// \param wanted  which crossings are. A line without any is asked no further
-template <class W, real R, class Inside, class Wanted = every_crossing>
+template <class W, class Line, class Inside, class Wanted = every_crossing>
 RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3<W>& e1, const vec3<W>& e2,
-                                               const ray<R>& ray, Inside inside, const Wanted& wanted = {}) {
+                                               const Line& line, Inside inside, const Wanted& wanted = {}) {
     using E = bound_t<W>;
-    vec3<W> direction(ray.direction), s = difference_as<W>(ray.origin, corner);
+    vec3<W> direction = vector_in(line.direction()), s = vector_in(line.from(corner));
     vec3<W> p = cross(direction, e2), q = cross(s, e1);
     W det = dot(e1, p), size = abs(det);
     W u = flip(dot(s, p), det), v = flip(dot(direction, q), det), way = flip(dot(e2, q), det);
@@ -66,6 +67,14 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
       v_terms = with_underflow<W>(q_size * speed);
     E k(8 * unit_roundoff<W>), size_error = k * size_terms, u_error = k * u_terms, v_error = k * v_terms;
     E error = k * (size_terms + u_terms + v_terms), way_error = k * detail::terms_of_way(e2, s, e1);
+    if constexpr (!Line::is_exact) {
+        const E of_s = detail::rounded_up<W>(line.from(corner).error), e2_size = norm1(vec3<E>(e2));
+        const E of_d = detail::rounded_up<W>(line.direction().error),
+                of_both = s_size * of_d + (speed + of_d + of_d) * of_s;
+        size_error += e1_size * e2_size * of_d, way_error += e1_size * e2_size * of_s;
+        u_error += e2_size * of_both, v_error += e1_size * of_both;
+        error = size_error + u_error + v_error;
+    }
 
     const mask_t<W> crosses = size > E(2) * size_error, outside = within < -error;
     if constexpr (!std::same_as<Wanted, known_crossing>) {
@@ -102,10 +111,9 @@ RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, 
                                                               const E2& e2, Far far,
                                                               [[maybe_unused]] const Wanted& wanted) {
     using W = typename Line::number;
-    if constexpr (Line::is_exact && has_closer_look<W>) {
+    if constexpr (has_closer_look<W>) {
         const auto inside = [far](const W& size, const W& u, const W& v) { return min(size - far(u, v), min(u, v)); };
-        return cross_edges(vec3<W>(corner), vec3<W>(e1.x, e1.y, e1.z), vec3<W>(e2.x, e2.y, e2.z), line.ray, inside,
-                           wanted)
+        return cross_edges(vec3<W>(corner), vec3<W>(e1.x, e1.y, e1.z), vec3<W>(e2.x, e2.y, e2.z), line, inside, wanted)
             .at;
     } else {
         const auto d = line.direction();

@@ -5,6 +5,12 @@
 
 namespace raio {
 
+/// The components, without their errors.
+template <proven_vector V>
+RAIO_FN constexpr vec3<typename V::number> vector_in(const V& v) {
+    return {v.x, v.y, v.z};
+}
+
 /// What a shape is made of, in numbers of W that carry their errors.
 template <class W>
 struct shape_numbers {

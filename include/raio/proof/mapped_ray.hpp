@@ -178,12 +178,6 @@ private:
     mapped_line<Q> quick_;
 };
 
-/// The components, without their errors.
-template <proven_vector V>
-RAIO_FN constexpr vec3<typename V::number> vector_in(const V& v) {
-    return {v.x, v.y, v.z};
-}
-
 /// Its line in numbers of W.
 template <class W, real T>
 RAIO_FN constexpr decltype(auto) line_in(const mapped_ray<T>& ray) {
