@@ -104,6 +104,17 @@ RAIO_FN constexpr mask_t<number_t<P>> hit(const P& shape, const Ray& ray, number
     }
 }
 
+/// The crossing at t, which is known to be one.
+template <primitive P, class Ray, record Record>
+RAIO_FN constexpr mask_t<number_t<P>> hit_at(const P& shape, const Ray& ray, number_t<P> t, Record& rec) {
+    if constexpr (requires { shape.record_at(ray, t, rec); }) {
+        shape.record_at(ray, t, rec);
+        return is_finite(t);
+    } else {
+        return detail::hit(shape, ray, t, t, rec);
+    }
+}
+
 /// Is t kept as it was found, to be read again?
 template <class Record, class T>
 concept keeps_t = requires(Record& rec) {

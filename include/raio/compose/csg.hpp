@@ -93,7 +93,7 @@ requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
     RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
         return first_end(ray, t_min, t_max, [&](const detail::leaf_end<T>& end, bool entering) {
             const bool met =
-                ask_leaf(end.leaf, [&](const auto& leaf) { return detail::hit(leaf, ray, end.t, end.t, rec); });
+                ask_leaf(end.leaf, [&](const auto& leaf) { return detail::hit_at(leaf, ray, end.t, rec); });
             if (!met) return false;
             if constexpr (has_index<Record>) detail::put(rec.index, end.leaf);
             if constexpr (has_front_face<Record>) detail::put(rec.front_face, entering);
@@ -103,9 +103,7 @@ requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
 
     template <ray_of<T> Ray = raio::ray<T>>
     RAIO_FN constexpr mask_t<T> occluded(const Ray& ray, T t_min, T t_max) const {
-        return first_end(ray, t_min, t_max, [&](const detail::leaf_end<T>& end, bool) {
-            return ask_leaf(end.leaf, [&](const auto& leaf) { return detail::occluded(leaf, ray, end.t, end.t); });
-        });
+        return first_end(ray, t_min, t_max, [](const detail::leaf_end<T>& end, bool) { return is_finite(end.t); });
     }
 
     template <ray_of<T> Ray = raio::ray<T>>

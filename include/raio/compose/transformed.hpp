@@ -23,8 +23,8 @@ public:
     using number = number_t<P>;
     using T = number;
 
-    /// A singular map leaves nothing to be hit, and so does one whose determinant is out of the range of its numbers, or
-    /// is lost among its terms.
+    /// A singular map leaves nothing to be hit, and so does one whose determinant is out of the range of its numbers,
+    /// or is lost among its terms.
     RAIO_FN constexpr transformed(Primitive primitive, const transform<T>& map)
         : primitive_(std::move(primitive)), inverse_(map) {}
 

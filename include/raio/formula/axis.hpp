@@ -79,7 +79,7 @@ template <class Point, real T, class SideGradient>
 RAIO_FN constexpr void axial_surface(Point& at, const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, T bend,
                                      SideGradient side_gradient) {
     using W = typename Point::number;
-    using Q = working_t<T>;
+    using Q = typename Point::precise;
     vec3<W> axis = difference_as<W>(top, base), from_base = at.from(base);
     W height = dot(from_base, axis) / dot(axis, axis);
     vec3<W> across = from_base - axis * height;

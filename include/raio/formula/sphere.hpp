@@ -86,6 +86,16 @@ template <class T, class Line, proven_vector L, proven_vector D, int M, class Po
     -> chord<typename Line::number> {
     using W = typename Line::number;
     using E = bound_t<W>;
+    if constexpr (is_believed<W>) {  // as it is printed everywhere: cheaper, and small and far spheres lose digits
+        auto a = square(d);
+        auto b = dot(l, d);
+        auto c = square(l) - square(radius);
+        auto s2 = square(b) - a * c;
+        auto crosses = every(is_positive(radius), is_not_negative(s2));
+        if (may_leave<W>(!crosses.possibly)) return nowhere<W>(true);
+        auto [near, far] = quadratic_roots(a, b, c, sqrt(s2));
+        return between(crosses, near, far);
+    }
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
 
     constexpr int before = detail::roundings_in<L> + detail::roundings_in<D>;

@@ -96,7 +96,7 @@ template <real W, std::size_t N>
 RAIO_FN constexpr polynomial_roots<W, N> known_roots_between(const polynomial<W, N>& p, const W& low, const W& high) {
     using E = bound_t<W>;
     polynomial_roots<W, N> roots = roots_between(p, low, high);
-    if constexpr (!has_closer_look<W>) {
+    if constexpr (!has_closer_look<W> && !is_believed<W>) {
         const std::size_t found = roots.count;
         roots.count = 0;
         for (std::size_t i = 0; i < found; ++i) {

@@ -96,8 +96,8 @@ RAIO_FN constexpr T length(const vec3<T>& a) {
 
 /// Is what is made of numbers From within the range of T, up to their eighth power? Of floats in double it is.
 template <class From, class T>
-inline constexpr bool has_room_for =
-    std::numeric_limits<scalar_t<T>>::max_exponent / 8 >= std::numeric_limits<scalar_t<From>>::max_exponent;
+inline constexpr bool has_room_for = is_believed<T> || std::numeric_limits<scalar_t<T>>::max_exponent / 8 >=
+                                                           std::numeric_limits<scalar_t<From>>::max_exponent;
 
 /// The vector itself, or, where its square would be out of range, the same times a power of two.
 template <class From, real T>

@@ -226,6 +226,7 @@ RAIO_FN constexpr bounded_number<W> inverse(const bounded_number<W>& a) {
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, K + 1> inverse(const rounded_number<W, K>& a) {
     using E = bound_t<W>;
+    if constexpr (is_believed<W>) return {quotient(W(1), a.value, W(infinity<W>))};
     const E size = size_of(a);  // and of numbers that are too large, the inverse is too small for its digits
     const mask_t<W> is_apart = every(size > E(detail::lost<W>), size < E(detail::greatest_divisor<W>));
     return {select(is_apart, W(1), W(std::numeric_limits<scalar_t<W>>::quiet_NaN())) / select(is_apart, a.value, W(1))};
@@ -254,13 +255,13 @@ RAIO_FN constexpr bounded_number<W> sqrt(const bounded_number<W>& a) {
     W root = sqrt(max(a.value, W(0)));
     // |s - s'| = |a - a'| / (s + s'), and no more than |a - a'|^(1/2).
     E size(root), off = a.error + E(detail::lost<W>), error = quotient(off, size, E(infinity<E>));
-    if constexpr (!has_closer_look<W>) error = min(error, sqrt(off));
+    if constexpr (!has_closer_look<W> && !is_believed<W>) error = min(error, sqrt(off));
     return {root, error + detail::roundings<W>(1, size)};
 }
 /// Half of the roundings, and one; a root of numbers that may have lost digits would not be near it.
 template <class W, int K>
 RAIO_FN constexpr rounded_number<W, (K + 3) / 2> sqrt(const rounded_number<W, K>& a) {
-    if constexpr (K == 0) {
+    if constexpr (K == 0 || is_believed<W>) {
         return {sqrt(a.value)};
     } else {
         const mask_t<W> has_digits = a.value > W(detail::lost<W>);

@@ -14,6 +14,14 @@ namespace raio {
 
 namespace detail {
 
+/// A verdict, of which a number that is believed has no doubt.
+template <class W>
+RAIO_FN constexpr verdict<mask_t<W>> decided(const mask_t<W>& certainly, const mask_t<W>& possibly,
+                                             const mask_t<W>& yes) {
+    if constexpr (is_believed<W>) return {yes, yes, yes};
+    return {certainly, possibly, yes};
+}
+
 /// a >= b, or a > b, for which ties do not hold.
 template <bool TiesHold, proven_number A, proven_number B>
 RAIO_FN constexpr auto is_above(const A& a, const B& b) {
@@ -23,7 +31,7 @@ RAIO_FN constexpr auto is_above(const A& a, const B& b) {
     E off = limit_of(difference), room(0);
     if constexpr (last_precision<W>) room = min(off, E(0x1p-30) * (size_of(a) + size_of(b)));
     const mask_t<W> yes = TiesHold ? difference.value >= -W(room) : difference.value > W(room);
-    return verdict<mask_t<W>>{difference.value > W(off), !(difference.value < -W(off)), yes};
+    return decided<W>(difference.value > W(off), !(difference.value < -W(off)), yes);
 }
 
 }  // namespace detail
@@ -65,13 +73,13 @@ RAIO_FN constexpr verdict<mask_t<W>> is_positive(const bounded_number<W>& a) {
     using E = bound_t<W>;
     constexpr double most = last_precision<W> ? 0x1p32 : 1 + 0x1p-16;
     E off = E(most) * a.error + E(detail::lost<W>);
-    return {a.value > W(off), !(a.value < -W(off)), a.value > W(last_precision<W> ? off : E(0))};
+    return detail::decided<W>(a.value > W(off), !(a.value < -W(off)), a.value > W(last_precision<W> ? off : E(0)));
 }
 template <class W, int K>
 RAIO_FN constexpr verdict<mask_t<W>> is_positive(const rounded_number<W, K>& a) {
     const W off(K == 0 ? 0.0 : detail::lost<W>);
     const mask_t<W> above = a.value > off;
-    return {above, !(a.value <= -off), above};
+    return detail::decided<W>(above, !(a.value <= -off), above);
 }
 
 /// Is it not below zero? What cannot be told from zero is a tie, and holds.
@@ -79,7 +87,7 @@ template <class W>
 RAIO_FN constexpr verdict<mask_t<W>> is_not_negative(const bounded_number<W>& a) {
     W off(detail::limit_of(a));
     const mask_t<W> yes = last_precision<W> ? every(a.value >= -off, is_finite(off)) : a.value >= W(0);
-    return {a.value > off, !(a.value < -off), yes};
+    return detail::decided<W>(a.value > off, !(a.value < -off), yes);
 }
 
 /// Is it anything but zero? What the last precision cannot tell from zero is zero to it.
@@ -88,7 +96,7 @@ RAIO_FN constexpr verdict<mask_t<W>> is_not_zero(const bounded_number<W>& a) {
     using E = bound_t<W>;
     E size = size_of(a), off = detail::rounded_up<W>(a.error) + E(detail::lost<W>);
     const mask_t<W> is_known = size > off, yes = size > E(0);
-    return {is_known, some(yes, off > E(0)), last_precision<W> ? is_known : yes};
+    return detail::decided<W>(is_known, some(yes, off > E(0)), last_precision<W> ? is_known : yes);
 }
 
 /// Is it not below zero, is it not above? What cannot be told from zero is a tie, and holds, if it is no more than a
@@ -98,14 +106,14 @@ RAIO_FN constexpr verdict<mask_t<W>> is_not_negative(const bounded_number<W>& a,
     using E = bound_t<W>;
     E off = detail::rounded_up<W>(a.error) + E(detail::lost<W>), room(0);
     if constexpr (last_precision<W>) room = min(off, E(0x1p-30) * size_of(whole));
-    return {a.value > W(off), !(a.value < -W(off)), a.value >= -W(room)};
+    return detail::decided<W>(a.value > W(off), !(a.value < -W(off)), a.value >= -W(room));
 }
 template <class W>
 RAIO_FN constexpr verdict<mask_t<W>> is_not_positive(const bounded_number<W>& a, const bounded_number<W>& whole) {
     using E = bound_t<W>;
     E off = detail::rounded_up<W>(a.error) + E(detail::lost<W>), room(0);
     if constexpr (last_precision<W>) room = min(off, E(0x1p-30) * size_of(whole));
-    return {a.value < -W(off), !(a.value > W(off)), a.value <= W(room)};
+    return detail::decided<W>(a.value < -W(off), !(a.value > W(off)), a.value <= W(room));
 }
 
 /// Is the root of a square above zero beside b, which its error comes from? What the last precision knows less than

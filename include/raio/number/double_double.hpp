@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include <raio/number/plain.hpp>
 #include <raio/number/strict_double.hpp>
 
 /// \file
@@ -252,7 +253,7 @@ concept last_precision = std::same_as<scalar_t<W>, double_double>;
 
 /// Is there a closer look at what W leaves in doubt?
 template <class W>
-inline constexpr bool has_closer_look = sizeof(scalar_t<W>) <= sizeof(double);
+inline constexpr bool has_closer_look = sizeof(scalar_t<W>) <= sizeof(double) && !is_believed<W>;
 
 namespace detail {
 

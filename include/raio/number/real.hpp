@@ -8,6 +8,10 @@
 #include <numbers>
 #include <type_traits>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include <raio/config.hpp>
 
 /// \file
@@ -145,6 +149,14 @@ RAIO_FN constexpr T constant_copysign(T magnitude, T sign) {
 // lookup.
 template <std::floating_point T>
 RAIO_FN constexpr T sqrt(T x) {
+#if defined(__SSE2__) && !defined(__CUDA_ARCH__)
+    // The instruction alone. Beside it std::sqrt has a call, which reports a negative number in errno, and around a
+    // call registers are saved.
+    if (!std::is_constant_evaluated()) {
+        if constexpr (std::same_as<T, double>) return _mm_cvtsd_f64(_mm_sqrt_sd(_mm_set_sd(x), _mm_set_sd(x)));
+        if constexpr (std::same_as<T, float>) return _mm_cvtss_f32(_mm_sqrt_ss(_mm_set_ss(x)));
+    }
+#endif
     return std::sqrt(x);
 }
 template <std::floating_point T>

@@ -270,6 +270,7 @@ RAIO_FN constexpr chord<W> between_faces(const R& origin, const R& direction, co
 template <real T, class Line, class W>
 RAIO_FN constexpr void keep_if_reachable(const Line& line, chord<W>& c) {
     using E = bound_t<W>;
+    if constexpr (is_believed<W>) return;
     E reach = max(abs(E(c.near.t)), abs(E(c.far.t))) + max(c.near.error, c.far.error);
     E farthest = detail::most_of(line.origin()) + detail::most_of(line.direction()) * reach;
     // Both are, errors included: the half of what is asked for below leaves room for the roundings here.

@@ -85,6 +85,7 @@ struct crossing {
 /// May the line start on the surface?
 template <class W>
 RAIO_FN constexpr mask_t<W> touches_origin(const crossing<W>& c) {
+    if constexpr (is_believed<W>) return c.t != c.t;  // t is what was found
     return abs(bound_t<W>(c.t)) <= c.error;
 }
 
@@ -182,6 +183,7 @@ RAIO_FN constexpr bool may_leave(const mask_t<W>& out) {
 /// Keeps only crossings whose point T can say: those of a shape without end may lie beyond its largest number.
 template <real T, class Line, class W>
 RAIO_FN constexpr void keep_if_reachable(const Line& line, crossing<W>& c) {
+    if constexpr (is_believed<W>) return;
     bound_t<W> speed = detail::most_of(line.direction());
     bound_t<W> farthest = detail::most_of(line.origin()) + speed * abs(bound_t<W>(c.t));
     const bound_t<W> most(std::numeric_limits<scalar_t<T>>::max() / 2);

@@ -160,7 +160,7 @@ template <class W>
 RAIO_FN constexpr void sort_by_t(crossing_list<W, 2>& list) {
     if (list.count < 2) return;
     auto& [first, second] = list.crossings;
-    bound_t<W> apart(second.t - first.t), error = first.error + second.error;
+    bound_t<W> apart(second.t - first.t), error = is_believed<W> ? bound_t<W>(0) : first.error + second.error;
     list.certain = list.certain && abs(apart) > error;
     if (apart < -error) {
         std::swap(first, second);
@@ -262,31 +262,54 @@ concept lists_crossings = !has_lanes<typename Shape::number> && requires(const S
 
 }  // namespace detail
 
-/// Where the line is inside a solid: from where it enters to where it leaves next.
+/// Where the line is inside a solid whose crossings these are: from where it enters to where it leaves next.
+template <real T, std::size_t N>
+class spans_of_crossings {
+public:
+    template <class W>
+    RAIO_FN constexpr void take(const crossing<W>& c) {
+        if (!c.exists) return;
+        if (c.entering) {
+            entered_ = T(c.t);
+        } else {
+            inside_.append({entered_, T(c.t)});
+        }
+    }
+    RAIO_FN constexpr const spans<T, N / 2>& inside() const { return inside_; }
+
+private:
+    spans<T, N / 2> inside_;
+    T entered_ = -infinity<T>;
+};
+
+template <real T, class W, std::size_t N>
+RAIO_FN constexpr spans<T, N / 2> spans_between(const crossing_list<W, N>& list) {
+    spans_of_crossings<T, N> found;
+    for (const crossing<W>& c : list) found.take(c);
+    return found.inside();
+}
+template <real T, class W>
+RAIO_FN constexpr spans<T, 2> spans_between(const chord_pair<W>& c) {
+    return spans_between<T>(listed(c));
+}
+
 template <class Shape, class Ray>
 requires detail::lists_crossings<Shape, Ray> RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
     using T = typename Shape::number;
     using X = exact_t<T>;
     const auto exact = [&] { return shape.crossings(line_in<X>(ray)); };
-    const auto room_for_half = []<class W, std::size_t N>(const crossing_list<W, N>&) { return spans<T, N / 2>(); };
-    decltype(room_for_half(listed(exact()))) inside;
-    T entered = -infinity<T>;
-    const auto pass = [&](const auto& c) {
-        if (!c.exists) return false;
-        if (c.entering) {
-            entered = T(c.t);
-        } else {
-            inside.append({entered, T(c.t)});
-        }
-        return false;
-    };
     if constexpr (detail::works_first<T>) {
+        const auto room = []<class W, std::size_t N>(const crossing_list<W, N>&) { return spans_of_crossings<T, N>(); };
+        decltype(room(listed(exact()))) found;
         detail::keep_as_stored<T>(shape, unmapped(ray));
-        detail::visit_recorded<T>(shape.crossings(line_in<working_t<T>>(ray)), exact, pass);
+        detail::visit_recorded<T>(shape.crossings(line_in<working_t<T>>(ray)), exact, [&](const auto& c) {
+            found.take(c);
+            return false;
+        });
+        return found.inside();
     } else {
-        for (const crossing<X>& c : listed(exact())) pass(c);
+        return spans_between<T>(exact());
     }
-    return inside;
 }
 
 }  // namespace raio

@@ -123,9 +123,9 @@ public:
     template <class W>
     RAIO_FN constexpr decltype(auto) line() const {
         if constexpr (std::same_as<W, Q>) {
-            return (quick_);                                   // where it stands: GCC would keep a copy in memory
-        } else if constexpr (!std::same_as<W, scalar_t<W>>) {  // in every lane of a pack
-            const auto in_lanes = [](const Q& x) { return W(scalar_t<W>(static_cast<double>(x))); };
+            return (quick_);  // where it stands: GCC would keep a copy in memory
+        } else if constexpr (is_believed<W> || !std::same_as<W, scalar_t<W>>) {  // one number, or every lane of a pack
+            const auto in_lanes = [](const Q& x) { return W(static_cast<double>(x)); };
             const auto spread = [&](const bounded_vector<Q>& v) {
                 return bounded_vector<W>{in_lanes(v.x), in_lanes(v.y), in_lanes(v.z), bound_t<W>(in_lanes(v.error))};
             };

@@ -24,7 +24,7 @@ template <real T>
 /// Has W no more digits than are recorded, and is there a precision that has?
 template <class T, class W>
 inline constexpr bool lacks_digits =
-    unit_roundoff<T> <= unit_roundoff<W>&& unit_roundoff<exact_t<T>> < unit_roundoff<W>;
+    !is_believed<W> && unit_roundoff<T> <= unit_roundoff<W> && unit_roundoff<exact_t<T>> < unit_roundoff<W>;
 
 /// The same crossing in a wider precision.
 template <class X, class W>
@@ -61,10 +61,10 @@ RAIO_FN constexpr T least_apart(const T& size) {
 template <class W, real T, class Ray, record Record>
 class surface_point {
     using E = bound_t<W>;
-    using Q = working_t<T>;  // of normals
 
 public:
     using number = W;
+    using precise = std::conditional_t<is_believed<W>, W, working_t<T>>;  ///< what normals and uv are found in
 
     RAIO_FN constexpr surface_point(const Ray& ray, const raio::crossing<W>& c, Record& rec)
         : ray_(ray), crossing_(c), rec_(rec) {}
@@ -107,7 +107,9 @@ public:
                           not_0(rec_.point.z, rounding.z)};
         }
         const T reach = norm1(rec_.point);
-        if (!all(is_finite(reach))) rec_.point = detail::put_within_range(rec_.point);
+        if constexpr (!is_believed<W>) {
+            if (!all(is_finite(reach))) rec_.point = detail::put_within_range(rec_.point);
+        }
         if constexpr (is_mapped) {
             own_point_ = vec3<T>(position());
             bend = ray_.stretched(bend + norm1(own_point_));
@@ -138,7 +140,8 @@ public:
     /// that grazes a tip or comes from far away, it may have come to lie beyond them.
     /// \param bounds  answers with them, to be asked only then
     template <class Bounds>
-    RAIO_FN constexpr void keep_in(Bounds bounds) {
+    RAIO_FN constexpr void keep_in([[maybe_unused]] Bounds bounds) {
+        if constexpr (is_believed<W>) return;
         const auto& [origin, direction] = unmapped(ray_);
         mask_t<T> unknown(W(0) == W(0));
         // Where T has no fewer digits than t was found with, any point may lie some places beyond. Bounds of what is
@@ -155,7 +158,7 @@ public:
         if constexpr (is_mapped) {
             const vec3<T> kept = nearest_in(bounds(), own_point_);
             if (kept == own_point_) return;
-            rec_.point = within_range(vec3<T>(ray_.point(vec3<Q>(kept))));
+            rec_.point = within_range(vec3<T>(ray_.point(vec3<working_t<T>>(kept))));
             add_error(norm1(vec3<T>(kept - own_point_)) + norm1(kept) * T(8 * unit_roundoff<Q>));
             own_point_ = kept;
         } else {
@@ -220,6 +223,16 @@ public:
         }
     }
 
+    /// The same where the vector has that length, but for its rounding.
+    template <real V>
+    RAIO_FN constexpr void record_normal(const vec3<V>& outward, const T& length) {
+        if constexpr (is_believed<W> && !is_mapped && has_normal<Record>) {
+            rec_.normal = vec3<T>(outward) * choose(mask_t<T>(entering()), T(1) / length, T(-1) / length);
+        } else {
+            record_normal(outward);  // which is exact to its last place
+        }
+    }
+
     /// Records the normal along the gradient of what is positive outside. Where it has none, at a tip or where sheets
     /// cross, or none but its rounding, the surface is seen face on.
     RAIO_FN constexpr void record_gradient(const vec3<W>& gradient) {
@@ -258,7 +271,7 @@ public:
     /// Says the rest, and fills the record.
     RAIO_FN constexpr void fill(Record& rec) {
         rec_.t = t(), rec_.index = index_t<T>{}, rec_.front_face = mask_t<T>(entering());
-        if constexpr (has_normal<Record>) {
+        if constexpr (has_normal<Record> && !is_believed<W>) {
             // Where the shape's numbers are so uneven that no normal is left of them, it is against the ray; and what
             // is left of uv is 0.
             const mask_t<T> known = is_finite(norm1(rec_.normal));
@@ -272,6 +285,8 @@ public:
     }
 
 private:
+    using Q = precise;
+
     static constexpr bool is_mapped = detail::is_mapped<Ray>;
     static constexpr bool is_full = std::same_as<Record, hit_record<T>>;
     /// For a record that has no room for all of it.
@@ -283,7 +298,7 @@ private:
     /// A vector across the surface, as it is seen.
     RAIO_FN constexpr vec3<Q> seen(const vec3<Q>& outward) const {
         if constexpr (is_mapped) {
-            return ray_.across(scaled_into_range<T>(outward));
+            return vec3<Q>(ray_.across(scaled_into_range<T>(vec3<working_t<T>>(outward))));
         } else {
             return outward;
         }

@@ -144,14 +144,26 @@ RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const Ray
     });
 }
 
+namespace detail {
+
+template <real T, class Near, class Far>
+RAIO_FN constexpr interval<T> between_ends(const Near& near, const Far& far) {
+    const mask_t<T> meets = some(near.exists, far.exists);  // an end out of T's range is still an end
+    return interval<T>{select(meets, T(near.t), infinity<T>), select(meets, T(far.t), -infinity<T>)};
+}
+
+}  // namespace detail
+
+/// Where the line is inside a solid whose crossings these are.
+template <real T, class W>
+RAIO_FN constexpr interval<T> spans_between(const chord<W>& c) {
+    return detail::between_ends<T>(c.near, c.far);
+}
+
 /// Where the line is inside a convex solid; empty where it misses. Both ends are what a hit records for t.
 template <class Shape, class Ray>
 RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
     using T = typename Shape::number;
-    const auto between_ends = [](const auto& near, const auto& far) {
-        const mask_t<T> meets = some(near.exists, far.exists);  // an end out of T's range is still an end
-        return interval<T>{select(meets, T(near.t), infinity<T>), select(meets, T(far.t), -infinity<T>)};
-    };
     if constexpr (detail::works_first<T>) {
         detail::keep_as_stored<T>(shape, unmapped(ray));
         auto quick = shape.crossings(line_in<working_t<T>>(ray));
@@ -163,18 +175,17 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
         };
         const bool known = is_known(near);
         if (missed || every(known, is_known(far))) [[likely]]
-            return between_ends(near, far);
+            return detail::between_ends<T>(near, far);
         const auto exact = shape.crossings(line_in<exact_t<T>>(ray));
         if constexpr (detail::keeps_all_digits<T>) {  // the same that `visit_recorded` finds
             const bool found = exact.far.exists || (!known && exact.near.exists);
             const crossing<working_t<T>>& open = known ? far : near;
-            if (!found && open.exists && open.certain) return between_ends(near, far);
-            if (known) return between_ends(near, exact.far);
+            if (!found && open.exists && open.certain) return detail::between_ends<T>(near, far);
+            if (known) return detail::between_ends<T>(near, exact.far);
         }
-        return between_ends(exact.near, exact.far);
+        return detail::between_ends<T>(exact.near, exact.far);
     } else {
-        const auto exact = shape.crossings(line_in<exact_t<T>>(ray));
-        return between_ends(exact.near, exact.far);
+        return spans_between<T>(shape.crossings(line_in<exact_t<T>>(ray)));
     }
 }
 

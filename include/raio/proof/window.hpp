@@ -57,15 +57,15 @@ inline constexpr bool keeps_all_digits = unit_roundoff<T> <= unit_roundoff<worki
 
 /// May a shape that searches find what is wanted, and no more? Where T keeps all digits the last of them depend on how
 /// it is found, and the place in the list says which one it is: so all are found alike. (Packs do not search.)
-template <class T>
-inline constexpr bool finds_no_more = !keeps_all_digits<T> || !std::same_as<mask_t<T>, bool>;
+template <class W, class T>
+inline constexpr bool finds_no_more = is_believed<W> || !keeps_all_digits<T> || !std::same_as<mask_t<T>, bool>;
 
 /// The crossings of a shape; of one that can find less with less work only what the question wants to know.
 template <class W, question Asked, class Shape, class Ray, real T>
 RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const Ray& ray, T t_min, T t_max) {
     if constexpr (Asked == question::only_where && finds_known_crossing<Shape, W, Ray>) {
         return shape.crossings(line_in<W>(ray), known_crossing{});
-    } else if constexpr (finds_no_more<T> && requires { shape.crossings(line_in<W>(ray), first_from<T>{}); }) {
+    } else if constexpr (finds_no_more<W, T> && requires { shape.crossings(line_in<W>(ray), first_from<T>{}); }) {
         return shape.crossings(line_in<W>(ray), first_from<T>{t_min, t_max, Asked == question::whether});
     } else {
         return shape.crossings(line_in<W>(ray));

@@ -104,7 +104,7 @@ struct bezier_curve {
         at.keep_in([this] { return bounds(); });
         at.record_gradient(from_center);
         at.record_uv([&] {
-            using Q = working_t<T>;
+            using Q = typename Point::precise;
             vec3<Q> onwards(scaled_into_range<Q>(vec3<Q>(ahead))), outward(from_center);
             const bool still = !(norm1(onwards) > Q(0));
             const frame<Q> f = frame_about(still ? vec3<Q>(Q(0), Q(0), Q(1)) : normalize(onwards));

@@ -61,7 +61,7 @@ struct bilinear_patch {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        using Q = working_t<T>;
+        using Q = typename Point::precise;
         const W &u = at.crossing().u, &v = at.crossing().v;
         const auto [edge_u, edge_v, far] = edges<W>();
         vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);

@@ -62,7 +62,7 @@ struct capsule {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        using Q = working_t<T>;
+        using Q = typename Point::precise;
         vec3<W> axis = difference_as<W>(top, base), from_base = at.from(base);
         W axis2 = dot(axis, axis), along = quotient(dot(from_base, axis), axis2, W(0));
         // At the upper end, which may be far from the base, the distance is measured from there.

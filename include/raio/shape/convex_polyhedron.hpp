@@ -129,7 +129,7 @@ struct convex_polyhedron {
         at.put_onto_plane(n, {axis_at(n.x), axis_at(n.y), axis_at(n.z)});
         at.record_normal(n);
         at.record_uv([&] {
-            vec3<T> up(normalize_from<T>(vec3<working_t<T>>(n)));
+            vec3<T> up(normalize_from<T>(vec3<typename Point::precise>(n)));
             vec3<T> local = frame_about(up).to_local(at.point());
             return vec2<T>(fraction(local.x), fraction(local.y));
         });

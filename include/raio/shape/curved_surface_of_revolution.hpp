@@ -40,7 +40,7 @@ struct revolved_piece<T, 3> {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        using Q = working_t<T>;
+        using Q = typename Point::precise;
         const auto curve = beside_axis<W>();
         const W s = at.crossing().u;
         vec3<W> p = at.from(base);

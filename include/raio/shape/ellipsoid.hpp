@@ -56,7 +56,7 @@ struct ellipsoid {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        using Q = working_t<T>;
+        using Q = typename Point::precise;
         vec3<W> stretch = to_sphere<W>(), on_sphere = at.from(center) * stretch;
         const T longest = max(radii.x, max(radii.y, radii.z)), shortest = min(radii.x, min(radii.y, radii.z));
         at.record_point(min(longest * (longest / shortest), T(std::numeric_limits<scalar_t<T>>::max() / 4)));

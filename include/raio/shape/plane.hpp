@@ -50,7 +50,7 @@ struct plane {
         at.record_point();
         at.record_normal(normal);
         at.record_uv([&] {
-            using Q = working_t<T>;
+            using Q = typename Point::precise;
             vec3<T> local = frame_about(vec3<T>(normalize_from<T>(vec3<Q>(normal)))).to_local(at.point() - point);
             return vec2<T>(fraction(local.x), fraction(local.y));
         });

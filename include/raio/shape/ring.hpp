@@ -78,7 +78,7 @@ struct ring {
         at.put_onto_plane(normal, center);
         at.record_normal(normal);
         at.record_uv([&] {
-            vec3<T> up(normalize_from<T>(vec3<working_t<T>>(normal)));
+            vec3<T> up(normalize_from<T>(vec3<typename Point::precise>(normal)));
             vec3<T> local = frame_about(up).to_local(at.point() - center);
             const T rho = sqrt(local.x * local.x + local.y * local.y);
             const T across = (rho - inner_radius) / (outer_radius - inner_radius);

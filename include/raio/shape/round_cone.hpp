@@ -78,7 +78,7 @@ struct round_cone {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        using Q = working_t<T>;
+        using Q = typename Point::precise;
         vec3<W> axis = difference_as<W>(top, base), from_base = at.from(base);
         // Which of the swept spheres the point lies on: 0 the base's, 1 the top's.
         W narrowing = W(base_radius) - W(top_radius), axis2 = dot(axis, axis), apart = axis2 - narrowing * narrowing;

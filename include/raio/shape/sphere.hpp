@@ -62,9 +62,9 @@ struct sphere {
         auto outward = at.from(center);
         at.record_point(radius);
         at.keep_in([this] { return bounds(); });
-        at.record_normal(outward);
+        at.record_normal(outward, radius);
         at.record_uv([&] {
-            using Q = working_t<T>;
+            using Q = typename Point::precise;
             // Angles do not ask for unit length.
             vec3<T> unit(vec3<Q>(outward) * (Q(1) / Q(radius)));
             return vec2<T>(turns(-unit.z, unit.x), latitude(unit.y, sqrt(unit.x * unit.x + unit.z * unit.z)));

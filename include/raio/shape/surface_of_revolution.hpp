@@ -54,7 +54,7 @@ struct revolved_piece<T, 1> {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        using Q = working_t<T>;
+        using Q = typename Point::precise;
         const vec3<W> a(axis), start = a * W(from.y), along = is_flat() ? a : a * W(to.y) - start;
         const vec3<W> from_start = at.from(base) - start;
         const W height = dot(from_start, along) / dot(along, along);

@@ -64,7 +64,7 @@ struct teardrop {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        using Q = working_t<T>;
+        using Q = typename Point::precise;
         vec3<W> axis = difference_as<W>(tip, bottom);
         vec3<W> p = at.from(bottom);
         W over_axis2 = W(1) / dot(axis, axis), h = dot(p, axis) * over_axis2, below = W(1) - h, r(radius);

@@ -142,7 +142,7 @@ struct torus {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        using Q = working_t<T>;
+        using Q = typename Point::precise;
         vec3<W> p = at.from(center), a(axis);
         W height = dot(p, a) / dot(a, a), major(major_radius);  // in lengths of the axis
         vec3<W> up = a * height, beside = p - up;

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <raio/concepts.hpp>
+#include <raio/surface_sample.hpp>
+
+namespace raio {
+
+namespace detail {
+
+/// A shape with a formula, which takes a line in any numbers. (What is composed of shapes has none.)
+template <class P>
+concept has_plain_formula = primitive<P> && requires(const P shape, const ray<number_t<P>> ray) {
+    shape.crossings(line_in<plain<number_t<P>>>(ray));
+};
+
+/// The first crossing in the window as T finds it itself; `exists` says whether there is one.
+template <question Asked, class Shape, class Ray, real T>
+RAIO_FORMULA constexpr crossing<plain<T>> first_crossing(const Shape& shape, const Ray& ray, T t_min, T t_max) {
+    return first_in_window(crossings_for<plain<T>, Asked>(shape, ray, t_min, t_max), t_min, t_max);
+}
+
+/// Of several crossings the one at t. It is the nearest to it, should other instructions have rounded t otherwise.
+template <class Found, real T>
+RAIO_FN constexpr crossing<plain<T>> crossing_at(const Found& found, T t) {
+    using W = plain<T>;
+    auto nearest = missed_for_sure<W>();
+    for (const crossing<W>& c : in_order(found)) {
+        const mask_t<T> nearer = some(!nearest.exists, abs(c.t - W(t)) < abs(nearest.t - W(t)));
+        nearest = select(every(c.exists, nearer), c, nearest);
+    }
+    nearest.t = W(t);
+    return nearest;
+}
+
+}  // namespace detail
+
+/// A shape whose formula is computed once, in its own number, and believed: as fast as a textbook's, and as exact. It
+/// is the formula by which the shape proves its answers otherwise, and a shape that goes wherever others go:
+///
+///     raio::quick<raio::sphere<float>> ball{{{0, 0, -1}, 0.5f}};
+///     raio::bvh<raio::quick<raio::triangle<float>>> tree(mesh);
+///
+/// t, the point and the normal are off by some roundings of T, by more where the ray comes from far away. A ray close
+/// to an edge, a rim or a tangent may hit or miss, and one that starts on the surface may hit it again close to t = 0.
+/// `error` is a bound of the roundings on the way to the point, so `spawn_ray` leaves the surface as it does otherwise.
+///
+/// What is composed of shapes is made of quick ones: `transformed<quick<P>>`, a `group` of them.
+template <detail::has_plain_formula P>
+struct quick : P {
+    using number = number_t<P>;
+    using T = number;
+
+    template <ray_of<T> Ray = raio::ray<T>, record Record>
+    RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+        auto first = detail::first_crossing<detail::question::where>(*this, ray, t_min, t_max);
+        if constexpr (detail::has_lanes<T>) {
+            if (none(first.exists)) return first.exists;
+            Record candidate;
+            detail::record_crossing(*this, ray, first, candidate);
+            assign(first.exists, rec, candidate);
+        } else if (first.exists) {
+            detail::record_crossing(*this, ray, first, rec);
+        }
+        return first.exists;
+    }
+
+    template <ray_of<T> Ray = raio::ray<T>>
+    RAIO_FLATTEN RAIO_FN constexpr mask_t<T> occluded(const Ray& ray, T t_min, T t_max) const {
+        return detail::first_crossing<detail::question::whether>(*this, ray, t_min, t_max).exists;
+    }
+
+    template <ray_of<T> Ray = raio::ray<T>>
+    RAIO_FLATTEN RAIO_FN constexpr auto spans(const Ray& ray) const requires(solid<P>) {
+        return spans_between<T>(this->crossings(line_in<plain<T>>(ray)));
+    }
+
+    /// Records the crossing at t, which has been found before: the nearest to it, should other instructions have
+    /// rounded it otherwise.
+    template <ray_of<T> Ray, record Record>
+    RAIO_FLATTEN RAIO_FN constexpr void record_at(const Ray& ray, T t, Record& rec) const {
+        auto known = detail::crossing_at(this->crossings(line_in<plain<T>>(ray)), t);
+        detail::record_crossing(*this, ray, known, rec);
+    }
+};
+
+template <detail::has_plain_formula P>
+quick(P) -> quick<P>;
+
+namespace detail {
+
+template <class P>
+inline constexpr bool is_quick = false;
+template <class P>
+inline constexpr bool is_quick<quick<P>> = true;
+
+template <class P, class U>
+struct rebind<quick<P>, U> {
+    using type = quick<rebind_t<P, U>>;
+};
+
+}  // namespace detail
+
+}  // namespace raio
