@@ -118,7 +118,7 @@ TEST_CASE("a matte surface scatters with the density that it says: the mean of 1
 }
 
 TEST_CASE("a finish of the course never scatters more light than it gets") {
-    hit_record rec;
+    hit_record rec{};
     scene s = scene_of(
         {{raio::sphere<number>{origin, 1}, color(0.9), phong{.diffuse = 0.8, .reflected = 1, .transmitted = 0.7}}});
     const scattering found = scattering_at(world(s), rec);

@@ -55,7 +55,11 @@ public:
     RAIO_FN friend constexpr pack_mask operator||(const pack_mask& a, const pack_mask& b) { return a | b; }
 
     RAIO_FN friend constexpr pack_mask select(const pack_mask& where, const pack_mask& a, const pack_mask& b) {
-        return (where && a) || (!where && b);
+        if constexpr (std::same_as<part, bool>) {  // of which what is not chosen need have no value
+            return made([&](std::size_t i) { return where.parts_[i] ? a.parts_[i] : b.parts_[i]; });
+        } else {
+            return (where && a) || (!where && b);
+        }
     }
 
     RAIO_FN friend constexpr bool any(const pack_mask& mask) { return bits(mask) != 0; }

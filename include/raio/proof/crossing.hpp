@@ -82,6 +82,12 @@ struct crossing {
     bool missed = false;   ///< is nothing left to find out: does every lane's line miss, beyond doubt?
 };
 
+/// Is nothing left to find out: does every lane's line miss, beyond doubt?
+template <class W>
+RAIO_FN constexpr bool missed(const crossing<W>& c) {
+    return c.missed;
+}
+
 /// May the line start on the surface?
 template <class W>
 RAIO_FN constexpr mask_t<W> touches_origin(const crossing<W>& c) {

@@ -248,6 +248,10 @@ RAIO_FN constexpr const crossing_list<W, N>& in_order(const crossing_list<W, N>&
     return list;
 }
 template <class W, std::size_t N>
+RAIO_FN constexpr bool missed(const crossing_list<W, N>& list) {
+    return list.certain && list.count == 0;
+}
+template <class W, std::size_t N>
 RAIO_FN constexpr bool are_all(const crossing_list<W, N>& list) {
     return list.certain;
 }

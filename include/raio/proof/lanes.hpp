@@ -143,7 +143,7 @@ template <has_lanes P, class Packed, class R, record Record>
             return true;
         });
     if constexpr (has_front_face<Record>) {
-        rec.front_face = some(every(met, front > P(0)), every(!met, rec.front_face));
+        rec.front_face = select(met, front > P(0), rec.front_face);
     }
     return met;
 }

@@ -116,8 +116,9 @@ template <question Asked, real T, class Shape, class Ray, class Then>
 RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T>) {
         keep_as_stored<T>(shape, unmapped(ray));
-        auto [first, known] =
-            settled_in_window<Asked>(crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max), t_min, t_max);
+        auto found = crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max);
+        if (missed(found)) return mask_t<T>(false);
+        auto [first, known] = settled_in_window<Asked>(found, t_min, t_max);
         if (known) [[likely]]
             return then(ray, first);
     }

@@ -89,11 +89,6 @@ RAIO_FN sifted<T> sift_rounded(const chord_pair<W>& c, const T& t_min, const T& 
         at_near, in_first};
 }
 
-template <class W>
-RAIO_FN bool missed(const crossing<W>& c) {
-    return c.missed;
-}
-
 /// What packs know of the first crossing in the window. Of doubles it is what is recorded.
 template <class T, template <class> class Found, class W>
 RAIO_FN sifted<T> sift(const Found<W>& found, const T& t_min, const T& t_max) {
