@@ -66,15 +66,59 @@ RAIO_FN constexpr void tell_side(const mask_t<W>& known, const W& b, const W& s,
 template <class W, class T>
 inline constexpr bool has_spare_digits = std::same_as<scalar_t<W>, strict_double>&& std::same_as<scalar_t<T>, float>;
 
+namespace detail {
+
+/// b^2 - a c for a line and a sphere, and how far that may be off.
+template <class W>
+struct sphere_look {
+    W a, b, s2;
+    bound_t<W> of_a, bound;  ///< `of_a` bounds a itself
+
+    RAIO_FN constexpr mask_t<W> passes() const { return s2 < -W(bound); }
+};
+
+/// How many roundings of a (l.l + radius^2) it may be off.
+template <class L, class D, int M>
+inline constexpr int sphere_roundings = 20 + 2 * M + 4 * (roundings_in<L> + roundings_in<D>);
+
+/// The difference is good enough to tell most lines that miss, and those that cross a sphere less than some ninety
+/// radii away.
+///
+/// Each component of l is off by K roundings, of d by L, and the radius by M: b is off by K + L + 3 roundings of
+/// |l| |d|, and b^2 - a c by less than 4 K + 4 L + 2 M + 18 of a (l.l + radius^2). Two more are for the roundings of
+/// that bound. If l and d have bounds of their errors, dl and dd, b^2 - a c is off by 4 a |l| dl + 4 (l.l + radius^2)
+/// |d| dd besides, to first order; twice that covers the rest.
+/// \tparam T  of what the shape and its rays are made
+template <class T, class Line, class L, class D, class W, int M>
+[[gnu::always_inline]] RAIO_FN constexpr sphere_look<W> look_at_sphere(const L& l, const D& d,
+                                                                       const rounded_number<W, M>& radius) {
+    using E = bound_t<W>;
+    W a = square(d).value, b = dot(l, d).value, l2 = square(l).value, r2 = square(radius).value;
+    W s2 = b * b - a * (l2 - r2);
+    E of_a(a), of_c(l2 + r2), least(0);
+    if constexpr (!has_spare_digits<W, T> || roundings_in<L> + roundings_in<D> + M > 1) {
+        least = E(lost<W>), of_a += least, of_c += least;  // the squares may be too small to have all digits
+    }
+    // a (l.l + radius^2) first: where a c is out of range, so is the bound.
+    E bound = of_a * of_c * E(sphere_roundings<L, D, M> * unit_roundoff<W>) + least;
+    if constexpr (!Line::is_exact) {
+        const E of_both = of_a * (most_of(l) + size_of(radius)) * error_of(l) + of_c * most_of(d) * error_of(d);
+        bound += E(8) * of_both;
+    }
+    return {a, b, s2, of_a, bound};
+}
+
+/// Is a ray of floats asked in floats first, whether it passes? Most spheres of a scene are missed.
+template <class Line, class T>
+inline constexpr bool looks_in_floats =
+    Line::is_exact&& std::same_as<T, float>&& std::same_as<typename Line::number, strict_double>;
+
+}  // namespace detail
+
 /// The same, with less to do where the line is known to miss, or to cross a sphere less than some ninety radii away.
 ///
-/// There b^2 - a c is good enough for s^2. Each component of l is off by K roundings, of d by L, and the radius by M:
-/// b is off by K + L + 3 roundings of |l| |d|, and b^2 - a c by less than 4 K + 4 L + 2 M + 18 of a (l.l + radius^2).
-/// Two more are for the roundings of that bound. If l and d have bounds of their errors, dl and dd, b^2 - a c is off by
-/// 4 a |l| dl + 4 (l.l + radius^2) |d| dd besides, to first order; twice that covers the rest.
-///
-/// If s^2 is far above it, s is off by half of bound / s. And as s is at most |d| radius, |l| |d| is at most
-/// a (l.l + radius^2) / (2 s): what b, b -+ s and the division are off by comes to half of bound / s as well.
+/// If s^2 = b^2 - a c is far above its bound, s is off by half of bound / s. And as s is at most |d| radius, |l| |d| is
+/// at most a (l.l + radius^2) / (2 s): what b, b -+ s and the division are off by comes to half of bound / s as well.
 ///
 /// What doubles cross goes the other way: of their t more is wanted.
 /// \tparam T     of what the shape and its rays are made
@@ -98,38 +142,45 @@ template <class T, class Line, proven_vector L, proven_vector D, int M, class Po
     }
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
 
-    constexpr int before = detail::roundings_in<L> + detail::roundings_in<D>;
-    constexpr double roundings = (4 * before + 2 * M + 20) * unit_roundoff<W>;
-    W a = square(d).value, b = dot(l, d).value, l2 = square(l).value, r2 = square(radius).value;
-    W s2 = b * b - a * (l2 - r2);
-    E of_a(a), of_c(l2 + r2), least(0);
-    if constexpr (!has_spare_digits<W, T> || before + M > 1) {  // the squares may be too small to have all digits
-        least = E(detail::lost<W>), of_a += least, of_c += least;
-    }
-    E bound = E(roundings) * of_a * of_c + least;
-    if constexpr (!Line::is_exact) {
-        const E l_error = detail::error_of(l), d_error = detail::error_of(d);
-        const E of_both = of_a * (detail::most_of(l) + size_of(radius)) * l_error + of_c * detail::most_of(d) * d_error;
-        bound += E(8) * of_both;
-    }
-    mask_t<W> passes = s2 < -W(bound);
+    auto look = detail::look_at_sphere<T, Line>(l, d, radius);
+    mask_t<W> passes = look.passes();
     if (may_leave<W>(passes)) return nowhere<W>(true);
     if constexpr (!has_spare_digits<W, T> && !only_sieves<W>) return cross_sphere(l, d, radius);
 
-    mask_t<W> meets = every(s2 > W(0x1p-13 / roundings) * W(bound), is_finite(s2), radius.value > W(0));
+    constexpr double enough = 0x1p-13 / (detail::sphere_roundings<L, D, M> * unit_roundoff<W>);
+    mask_t<W> meets = every(look.s2 > W(enough) * W(look.bound), is_finite(look.s2), radius.value > W(0));
     mask_t<W> known = some(passes, meets);
     if (none(known)) return cross_sphere(l, d, radius);
-    W s = sqrt(max(s2, W(detail::lost<W>))), over_a = W(1) / a;
-    E error = with_underflow<W>(E(1.25) * bound / E(s) * E(over_a));
+    W b = look.b, s = sqrt(max(look.s2, W(detail::lost<W>))), over_a = W(1) / look.a;
+    E error = with_underflow<W>(E(1.25) * look.bound / E(s) * E(over_a));
     bounded_number<W> near_end((b - s) * over_a, error), far_end((b + s) * over_a, error);
     if constexpr (std::same_as<scalar_t<W>, float>) {
         const mask_t<W> beside = every(meets, some(size_of(near_end) <= error, size_of(far_end) <= error));
-        if (any(beside)) tell_side(beside, b, s, error * of_a, power(line.ray.origin), near_end, far_end);
+        if (any(beside)) tell_side(beside, b, s, error * look.of_a, power(line.ray.origin), near_end, far_end);
     }
     chord<W> c = between({meets, meets, meets}, near_end, far_end);
     if (all(known)) return c;
     chord<W> other = cross_sphere(l, d, radius);
     return {select(known, c.near, other.near), select(known, c.far, other.far)};
+}
+
+/// The chord through the sphere about a center.
+template <class Line, real T>
+[[gnu::always_inline]] RAIO_FORMULA constexpr auto cross_sphere_about(const vec3<T>& center, const T& radius,
+                                                                      const Line& line)
+    -> chord<typename Line::number> {
+    using W = typename Line::number;
+    if constexpr (detail::looks_in_floats<Line, T>) {
+        const raio::line<float> quick(line.ray);
+        if (detail::look_at_sphere<T, Line>(quick.to(center), quick.direction(), quick.given(radius)).passes()) {
+            return nowhere<W>(true);
+        }
+    }
+    const auto power = [&](const auto& origin) {
+        using D = wide_t<W>;
+        return power_of_point<1, W>(difference_as<D>(center, origin), D(radius));
+    };
+    return cross_sphere_along<T>(line, line.to(center), line.direction(), line.given(radius), power);
 }
 
 }  // namespace raio

@@ -49,12 +49,7 @@ struct sphere {
 
     template <class Line>
     [[gnu::always_inline]] RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        const auto power = [&](const auto& origin) {
-            using W = typename Line::number;
-            using D = wide_t<W>;
-            return power_of_point<1, W>(difference_as<D>(center, origin), D(radius));
-        };
-        return cross_sphere_along<T>(line, line.to(center), line.direction(), line.given(radius), power);
+        return cross_sphere_about(center, radius, line);
     }
 
     template <class Point>
