@@ -44,6 +44,17 @@ void add(const bench::scene& scene) {
     add_raio("raio_compact", bench::lazy([of = mesh.mesh] { return bench::raio_compact_tree(*of); }));
     const bench::lazy inexact([of = mesh.triangles] { return std::make_unique<peers::inexact_tree>(*of); });
     bench::add_tree<peers::inexact_tree::record>(scene.name, "inexact", inexact, rays);
+    struct seen {
+        float t;
+        raio::vec2<float> uv;
+        raio::vec3<float> normal;
+        std::uint32_t index;
+    };
+    using quick_tree = raio::bvh<raio::quick<raio::triangle<float>>>;
+    const bench::lazy quick([of = mesh.mesh] {
+        return std::make_unique<quick_tree>(*of, raio::bvh_options{.threads = 1});
+    });
+    bench::add_tree<seen>(scene.name, "quick", quick, rays);
 #ifdef RAIO_BENCH_EMBREE
     for (const char* isa : bench::embree_isas) {
         const auto add_embree = [&](const char* name, const peers::embree_options& options) {

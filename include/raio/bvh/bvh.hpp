@@ -219,7 +219,17 @@ private:
 
         std::size_t size() const { return of.size(); }
         P operator[](std::size_t i) const {
-            if constexpr (std::same_as<P, mesh_triangle<T>>) {
+            if constexpr (detail::is_quick<P>) {
+                return {triangle_as<typename P::shape>(i)};
+            } else {
+                return triangle_as<P>(i);
+            }
+        }
+
+    private:
+        template <class Triangle>
+        Triangle triangle_as(std::size_t i) const {
+            if constexpr (std::same_as<Triangle, mesh_triangle<T>>) {
                 return {&of, static_cast<std::uint32_t>(i)};
             } else {
                 const triangle<T> t = of[i];

@@ -5,6 +5,7 @@
 
 #include <raio/bvh/collapse.hpp>
 #include <raio/bvh/gather.hpp>
+#include <raio/compose/quick.hpp>
 
 /// \file
 /// The shapes at the leaves of a tree, and what a ray finds there.
@@ -32,6 +33,8 @@ template <class T>
 inline constexpr bool tested_quickly<box<T>> = true;
 template <class T>
 inline constexpr bool tested_quickly<parallelogram<T>> = true;
+template <class P>
+inline constexpr bool tested_quickly<quick<P>> = tested_quickly<P>;
 
 /// The lanes of a block: as many as a register has, but no more than are worth it. A block of sixteen takes twice as
 /// long as one of eight, and most of its shapes are missed. Of shapes that take longer each has a leaf of its own: a
@@ -49,11 +52,13 @@ struct findings {
     pack<T, N> low, high;
 };
 
-/// What the lanes of a block compute with, and the ray in them. Floats only sieve: in their own numbers, or in what
-/// holds those of a ray that was mapped. Doubles are what plain ones are in the first precision.
-template <class Ray, class T, std::size_t N>
-using lanes_for =
-    pack<std::conditional_t<keeps_all_digits<T>, strict_double, std::conditional_t<is_mapped<Ray>, double, T>>, N>;
+/// What the lanes of a block compute with, and the ray in them. Quick shapes are believed in their own numbers. Floats
+/// only sieve: in their own numbers, or in what holds those of a ray that was mapped. Doubles are what plain ones are
+/// in the first precision.
+template <class Shape, class Ray, std::size_t N, class T = number_t<Shape>>
+using lanes_for = std::conditional_t<
+    is_quick<Shape>, plain<pack<T, N>>,
+    pack<std::conditional_t<keeps_all_digits<T>, strict_double, std::conditional_t<is_mapped<Ray>, double, T>>, N>>;
 
 /// A ray in every lane. One that was mapped is so already.
 template <class W, class T>
@@ -70,6 +75,7 @@ template <class Shape>
 class leaf_blocks {
 public:
     using T = number_t<Shape>;
+    using shape_type = Shape;
     static constexpr std::size_t lanes = block_lanes<Shape>;
 
     void resize(std::span<const leaf_range> ranges) { blocks_.resize(ranges.size()); }
@@ -104,14 +110,14 @@ public:
 
     std::uint32_t used(std::uint32_t i) const { return blocks_[i].used(); }
     std::uint32_t id(std::uint32_t i, unsigned lane) const { return blocks_[i].ids[lane]; }
-    Shape shape(std::uint32_t i, unsigned lane) const { return blocks_[i].shapes.get(lane); }
+    Shape shape(std::uint32_t i, unsigned lane) const { return Shape{blocks_[i].shapes.get(lane)}; }
     decltype(auto) shapes(std::uint32_t i) const { return blocks_[i].shapes.shapes(); }
     void set(std::uint32_t i, unsigned lane, const Shape& shape) { blocks_[i].shapes.set(lane, shape); }
 
     /// What packs know of the crossings with a ray, as it is or mapped.
     template <class Ray>
     findings<T, lanes> find(std::uint32_t i, const Ray& along, T t_min, T t_max) const {
-        using W = lanes_for<Ray, T, lanes>;
+        using W = lanes_for<Shape, Ray, lanes>;
         using S = scalar_t<W>;
         const block& b = blocks_[i];
         const auto& ray = in_every_lane<pack<T, lanes>>(along);
@@ -121,7 +127,7 @@ public:
         if constexpr (unit_roundoff<S> < unit_roundoff<T>) from = widened<S>(t_min, -1), to = widened<S>(t_max, 1);
         using numbers = pack<T, lanes>;
         const auto crossings = [&] {
-            if constexpr (keeps_all_digits<T>) {
+            if constexpr (keeps_all_digits<T> || is_quick<Shape>) {
                 return crossings_for<W, question::where>(b.shapes.shapes(), ray, W(from), W(to));
             } else {
                 return crossings_for<W, question::where>(as_packs_of<W>(b.shapes.shapes()), ray, W(from), W(to));
@@ -160,6 +166,7 @@ template <class Shape>
 class leaf_list {
 public:
     using T = number_t<Shape>;
+    using shape_type = Shape;
     static constexpr std::size_t lanes = 1;
 
     void resize(std::span<const leaf_range> ranges) { shapes_.resize(ranges.size()), ids_.resize(ranges.size()); }

@@ -22,6 +22,9 @@ public:
 
     std::tuple<Leaves...> all;
 
+    /// Is what the packs find believed, whatever is hit?
+    static constexpr bool are_quick = (is_quick<typename Leaves::shape_type> && ...);
+
     /// Do packs know anything of the shapes of that kind?
     template <std::size_t Kind, class Ray>
     static constexpr bool filters = requires(const std::tuple_element_t<Kind, std::tuple<Leaves...>> leaves,
@@ -47,11 +50,16 @@ public:
     }
 
     /// What `hit` records of the shape at that place, which is known to be hit.
+    /// \param t  where packs have found that
     template <class Ray, class T, record Record>
-    void record_at(const place_in_leaves& at, const Ray& ray, T t_min, T t_max, Record& rec) const {
+    void record_at(const place_in_leaves& at, const Ray& ray, T t_min, T t_max, [[maybe_unused]] T t,
+                   Record& rec) const {
         with_kind(static_cast<std::uint32_t>(at.kind), [&](auto kind) {
             const auto& shape = std::get<kind()>(all).shape(at.block, at.lane);
-            if constexpr (gatherable<std::remove_cvref_t<decltype(shape)>>) {
+            using Shape = std::remove_cvref_t<decltype(shape)>;
+            if constexpr (is_quick<Shape>) {
+                shape.record_at(ray, t, rec);
+            } else if constexpr (gatherable<Shape>) {
                 first_hit<question::only_where>(shape, ray, t_min, t_max, rec);  // packs are certain of it
             } else {
                 detail::hit(shape, ray, t_min, t_max, rec);

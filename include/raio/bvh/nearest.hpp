@@ -35,6 +35,10 @@ public:
 
     /// Takes in what packs say of a shape: that it is hit between `low` and `high`.
     void consider(const place_in_leaves& at, T low, T high) {
+        if constexpr (Leaves::are_quick) {
+            if (!exists_ || low < low_ || (low == low_ && at.id < at_.id)) take(at, low, high);
+            return;
+        }
         if (exists_ && high_ < low) return;
         if (!exists_ || high < low_) {
             take(at, low, high);
@@ -51,6 +55,8 @@ public:
 
     /// The nearest so far, if it has yet to be recorded.
     const place_in_leaves* unrecorded() const { return exists_ && !exact_ ? &at_ : nullptr; }
+    /// Where it is at the earliest.
+    T low() const { return low_; }
 
     /// Takes in what it records.
     void take_in(const Record& found) {
@@ -62,7 +68,9 @@ public:
 
     /// Answers the question, once everything has been seen.
     bool finish() {
-        if (open_count_ != 0) settle_open();
+        if constexpr (!Leaves::are_quick) {
+            if (open_count_ != 0) settle_open();
+        }
         if (exists_ && !exact_) make_exact();
         return exists_;
     }
@@ -76,6 +84,7 @@ private:
             const auto lane = static_cast<unsigned>(std::countr_zero(found.sure));
             consider(leaves_.template place<Kind>(block, lane), found.low[lane], found.high[lane]);
         }
+        if constexpr (Leaves::are_quick) return;
         for (; found.open != 0; found.open &= found.open - 1) {
             wait(leaves_.template place<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open))));
         }
@@ -88,7 +97,7 @@ private:
 
     void make_exact() {
         exact_ = true;
-        leaves_.record_at(at_, ray_, t_min_, t_max_, rec_);
+        leaves_.record_at(at_, ray_, t_min_, t_max_, low_, rec_);
         low_ = high_ = rec_.t;
     }
 

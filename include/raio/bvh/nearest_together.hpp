@@ -62,14 +62,16 @@ private:
     void visit_by_shapes(std::uint32_t block, std::uint32_t shapes, std::size_t g, std::uint32_t of) {
         const auto& leaves = std::get<Kind>(leaves_.all);
         using own = pack<T, std::remove_cvref_t<decltype(leaves)>::lanes>;
+        using Shape = std::remove_cvref_t<decltype(leaves.shape(0, 0))>;
         const auto& packed = leaves.shapes(block);
         const P from(within_numbers(t_min_));
         const std::size_t first = g * P::lanes;
         for (; shapes != 0; shapes &= shapes - 1) {
             const auto lane = static_cast<unsigned>(std::countr_zero(shapes));
             const P to = within_numbers(P::load(&farthest_[first]));
-            const auto found =
-                sift(first_crossings<question::where>(spread<P, own>(packed, lane), groups_[g], from, to), from, to);
+            using W = std::conditional_t<is_quick<Shape>, plain<P>, first_t<P>>;
+            const auto found = sift(
+                crossings_for<W, question::where>(spread<P, own>(packed, lane), groups_[g], W(from), W(to)), from, to);
             const std::uint32_t sure = bits(found.sure) & of, open = bits(found.open) & of;
             for (std::uint32_t left = sure | open; left != 0; left &= left - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(left));
@@ -111,14 +113,19 @@ private:
         if constexpr (gatherable<Shape>) {
             gathered<Shape, P::lanes> shapes;
             ray<P> own;
+            P t;
             for (std::size_t lane = 0; lane < P::lanes; ++lane) {
                 const std::size_t i = rays[std::min(lane, rays.size() - 1)];
                 const place_in_leaves& at = *queries_[i]->unrecorded();
-                shapes.set(lane, leaves.shape(at.block, at.lane));
+                shapes.set(lane, leaves.shape(at.block, at.lane)), t.set(lane, queries_[i]->low());
                 set_lane(own.origin, lane, rays_[i].origin), set_lane(own.direction, lane, rays_[i].direction);
             }
             hit_record<P> found;
-            first_hit<question::only_where>(shapes.shapes(), own, P(t_min_), P(t_max_), found);
+            if constexpr (is_quick<Shape>) {
+                shapes.shapes().record_at(own, t, found);
+            } else {
+                first_hit<question::only_where>(shapes.shapes(), own, P(t_min_), P(t_max_), found);
+            }
             for (std::size_t lane = 0; lane < rays.size(); ++lane)
                 queries_[rays[lane]]->take_in(in_lane<P>(found, lane));
         }

@@ -49,6 +49,7 @@ template <detail::has_plain_formula P>
 struct quick : P {
     using number = number_t<P>;
     using T = number;
+    using shape = P;
 
     template <ray_of<T> Ray = raio::ray<T>, record Record>
     RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {

@@ -124,10 +124,12 @@ RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, 
         const auto v = flip(determinant(d, s, e1), det);
         const auto exists = every(is_not_zero(det), is_not_negative(u, size), is_not_negative(v, size),
                                   is_not_negative(size - far(u, v), size));
-        if (may_leave<W>(!exists.possibly)) return missed_for_sure<W>();
+        const auto way = flip(determinant(e2, s, e1), det);
+        const mask_t<W> passed = is_unwanted(wanted, way.value, way.error, size.value, size.error);
+        if (may_leave<W>(some(!exists.possibly, passed))) return missed_for_sure<W>();
 
         const auto over_size = inverse(size);
-        const auto t = flip(determinant(e2, s, e1), det) * over_size;
+        const auto t = way * over_size;
         const auto u1 = u * over_size;
         const auto v1 = v * over_size;
         crossing<W> c = crossing_at(exists, t, det.value > W(0));

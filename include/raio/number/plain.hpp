@@ -73,6 +73,12 @@ struct real_traits<plain<T>> : detail::one_number<plain<T>> {
     using index = index_t<T>;
 };
 
+// One number that converts to it, which the compiler knows of packs as well.
+template <class T>
+inline constexpr scalar_t<T> infinity<plain<T>> = infinity<scalar_t<T>>;
+template <class T>
+inline constexpr scalar_t<T> pi<plain<T>> = pi<scalar_t<T>>;
+
 /// Is it a number that is believed?
 template <class W>
 inline constexpr bool is_believed = false;

@@ -120,7 +120,9 @@ template <class W, class Wanted>
 RAIO_FN constexpr mask_t<W> is_unwanted([[maybe_unused]] const Wanted& wanted, [[maybe_unused]] const W& way,
                                         [[maybe_unused]] const bound_t<W>& way_error, const W& size,
                                         [[maybe_unused]] const bound_t<W>& size_error) {
-    if constexpr (std::same_as<Wanted, first_from<W>>) {
+    if constexpr (is_believed<W> && requires { wanted.t_min; }) {
+        return some(way < W(wanted.t_min) * size, W(wanted.t_max) * size < way);
+    } else if constexpr (std::same_as<Wanted, first_from<W>>) {
         using E = bound_t<W>;
         // Twice the errors, for the roundings here and that of t; and a t that is too small for any number counts as 0.
         // That margin is no factor of a product: with a small size it would be subnormal, which costs a trap.

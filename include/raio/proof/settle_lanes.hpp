@@ -34,6 +34,13 @@ struct rounded_crossing {
     mask_t<T> passed;          ///< known to be before it, or not at all
 
     RAIO_FN rounded_crossing(const crossing<W>& c, const T& t_min, const T& t_max) {
+        if constexpr (is_believed<W>) {
+            low = high = T(c.t);
+            inside = every(mask_t<T>(c.exists), t_min <= low, low <= t_max);
+            beyond = every(mask_t<T>(c.exists), t_max < low);
+            passed = !some(inside, beyond);
+            return;
+        }
         const mask_t<T> certain = c.certain, exists = c.exists;
         mask_t<T> known = every(certain, exists);
         bound_t<W> error = c.error;
@@ -93,7 +100,7 @@ RAIO_FN sifted<T> sift_rounded(const chord_pair<W>& c, const T& t_min, const T& 
 template <class T, template <class> class Found, class W>
 RAIO_FN sifted<T> sift(const Found<W>& found, const T& t_min, const T& t_max) {
     if (missed(found)) return {false, false, T(0), T(0)};
-    if constexpr (keeps_all_digits<T>) {
+    if constexpr (keeps_all_digits<T> && !is_believed<W>) {
         auto [first, known] = settled_in_window<question::where>(found, t_min, t_max);
         const T t(first.t);
         return {every(known, first.exists), !known, t, t};
