@@ -95,6 +95,7 @@ template <class P>
 inline constexpr bool is_quick<quick<P>> = true;
 
 template <class P, class U>
+requires requires { typename rebind<P, U>::type; }
 struct rebind<quick<P>, U> {
     using type = quick<rebind_t<P, U>>;
 };
