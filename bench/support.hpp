@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <raio/bvh/gather.hpp>
+#include <raio/compose/quick.hpp>
 
 /// \file
 /// What every benchmark shares: the rays, the loop, and the names that the results go by.
@@ -109,6 +110,40 @@ struct occluded {
     }
 };
 
+/// What textbooks find.
+template <class T>
+struct textbook_record {
+    T t;
+    raio::vec3<T> point, normal;
+    bool front_face;
+};
+
+/// The same formula, believed.
+template <class Shape>
+struct quick_hit {
+    static constexpr const char* name = "quick_hit";
+    using T = raio::number_t<Shape>;
+    using result = textbook_record<T>;
+    raio::quick<Shape> shape;
+
+    explicit quick_hit(const Shape& of) : shape{of} {}
+    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result& rec) const {
+        return shape.hit(ray, t_min, t_max, rec);
+    }
+};
+template <class Shape>
+struct quick_occluded {
+    static constexpr const char* name = "quick_occluded";
+    using T = raio::number_t<Shape>;
+    struct result {};
+    raio::quick<Shape> shape;
+
+    explicit quick_occluded(const Shape& of) : shape{of} {}
+    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result&) const {
+        return shape.occluded(ray, t_min, t_max);
+    }
+};
+
 /// What is said of every measurement: how long a test took, and whether it recorded a normal.
 template <class Result>
 void count_tests(benchmark::State& state) {
@@ -203,8 +238,8 @@ inline constexpr const char* number_name = "float";
 template <>
 inline constexpr const char* number_name<double> = "double";
 
-/// Registers SHAPE/CALL/NUMBER/PERCENT for the shape's own two calls, for the same in packs if it has a shape of packs,
-/// and for each of the peers, at 0, 50 and 100 % hits.
+/// Registers SHAPE/CALL/NUMBER/PERCENT for the shape's own two calls, for the same of the quick shape, and in packs if
+/// there is a shape of packs, and for each of the peers, at 0, 50 and 100 % hits.
 template <class Shape, class... Peers, class MakeShape>
 void add(const std::string& shape_name, MakeShape make_shape) {
     for (const std::size_t hit_percent : {0u, 50u, 100u}) {
@@ -219,6 +254,10 @@ void add(const std::string& shape_name, MakeShape make_shape) {
         };
         add_one(std::type_identity<hit<Shape>>{});
         add_one(std::type_identity<occluded<Shape>>{});
+        if constexpr (raio::detail::has_plain_formula<Shape>) {
+            add_one(std::type_identity<quick_hit<Shape>>{});
+            add_one(std::type_identity<quick_occluded<Shape>>{});
+        }
         if constexpr (raio::detail::gatherable_as<Shape, raio::pack<raio::number_t<Shape>>>) {
             add_as("hit_in_packs", measure_packs<hit, Shape>);
             add_as("occluded_in_packs", measure_packs<occluded, Shape>);

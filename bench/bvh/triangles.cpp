@@ -51,9 +51,8 @@ void add(const bench::scene& scene) {
         std::uint32_t index;
     };
     using quick_tree = raio::bvh<raio::quick<raio::triangle<float>>>;
-    const bench::lazy quick([of = mesh.mesh] {
-        return std::make_unique<quick_tree>(*of, raio::bvh_options{.threads = 1});
-    });
+    const bench::lazy quick(
+        [of = mesh.mesh] { return std::make_unique<quick_tree>(*of, raio::bvh_options{.threads = 1}); });
     bench::add_tree<seen>(scene.name, "quick", quick, rays);
 #ifdef RAIO_BENCH_EMBREE
     for (const char* isa : bench::embree_isas) {

@@ -135,10 +135,10 @@ template <class T, class Line, proven_vector L, proven_vector D, int M, class Po
         auto b = dot(l, d);
         auto c = square(l) - square(radius);
         auto s2 = square(b) - a * c;
-        auto crosses = every(is_positive(radius), is_not_negative(s2));
+        auto crosses = is_not_negative(s2);
         if (may_leave<W>(!crosses.possibly)) return nowhere<W>(true);
         auto [near, far] = quadratic_roots(a, b, c, sqrt(s2));
-        return between(crosses, near, far);
+        return between(every(is_positive(radius), crosses), near, far);
     }
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
 
