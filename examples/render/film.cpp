@@ -62,8 +62,7 @@ std::string bytes(const film& picture) {
         for (int column = 0; column < picture.width(); ++column) {
             const color& c = picture.at(column, row);
             for (int channel = 0; channel < 3; ++channel) {
-                const double level = c[channel] > 0 ? 255 * c[channel] : 0;  // NaN is black
-                result += static_cast<char>(static_cast<std::uint8_t>(level < 255 ? level : 255));
+                result += static_cast<char>(level(c[channel]));
             }
         }
     }
@@ -95,6 +94,11 @@ encoder encoder_of(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::uint8_t level(double channel) {
+    const double exact = channel > 0 ? 255 * (1 + 1e-12) * channel : 0;
+    return static_cast<std::uint8_t>(exact < 255 ? exact : 255);
+}
 
 void expect_writable(const std::filesystem::path& path) {
     encoder_of(path);

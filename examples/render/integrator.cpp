@@ -1,15 +1,15 @@
 #include "integrator.hpp"
 
 #include <array>
-#include <cmath>
 
 namespace render {
 namespace {
 
 color unchanged(const color& mean) { return mean; }
 
-/// Gamma 2: screens answer with about the square of what they are told.
-color square_root(const color& mean) { return {std::sqrt(mean.x), std::sqrt(mean.y), std::sqrt(mean.z)}; }
+/// Films round down. What was computed is shown by the nearest level instead, so that a texel in white light comes out
+/// as it is.
+color encoded_light(const color& mean) { return encoded(mean) + 0.5 / 255; }
 
 }  // namespace
 
@@ -18,7 +18,7 @@ std::span<const integrator> integrators() {
         integrator{"flat", flat::radiance, unchanged, 1, 0, "the pigment of the first surface"},
         integrator{"normals", normals::radiance, unchanged, 1, 0, "the normal of the first surface, as a colour"},
         integrator{"whitted", whitted::radiance, unchanged, 1, 6, "Phong's model, shadows, mirrors and glass"},
-        integrator{"path", path::radiance, square_root, 64, 50,
+        integrator{"path", path::radiance, encoded_light, 64, 50,
                    "all light there is, by chance: smoother with more samples"}};
     return all;
 }
@@ -27,7 +27,7 @@ namespace flat {
 
 color radiance(const world& world, const ray& view, sampler&, int) {
     hit_record rec;
-    return world.hit(view, 0, raio::infinity<number>, rec) ? world.color_at(rec) : color(0);
+    return world.hit(view, 0, raio::infinity<number>, rec) ? world.color_at(rec, coding::encoded) : color(0);
 }
 
 }  // namespace flat

@@ -65,8 +65,8 @@ std::optional<incoming_light> sample_emitter(const world& world, const hit_recor
     }
     const number density = emitter_density(world, shadow_ray, there);
     if (!(density > 0 && density < raio::infinity<number>)) return {};
-    return incoming_light{direction, raio::dot(rec.normal, direction), emission(world, there) * world.clarity(there.t),
-                          density};
+    return incoming_light{direction, raio::dot(rec.normal, direction),
+                          emission(world, there, coding::linear) * world.clarity(there.t), density};
 }
 
 number emitter_density(const world& world, const ray& r, const hit_record& rec) {

@@ -12,7 +12,7 @@
 
 /// \file
 /// A scene as its file says it: plain data in the file's order, which the reader fills and `world` makes ready for
-/// rays. Lengths are in the scene's own unit, angles in degrees, colours linear, indices count from 0.
+/// rays. Lengths are in the scene's own unit, angles in degrees, indices count from 0.
 
 namespace render {
 

@@ -52,8 +52,8 @@ bool world::occluded(const ray& r, number t_min, number t_max) const {
     return endless_.occluded(r, t_min, t_max) || tree_.occluded(r, t_min, t_max);
 }
 
-color world::color_at(const hit_record& rec) const {
-    return render::color_at(scene_.pigments[scene_.objects[rec.index].pigment], rec.point);
+color world::color_at(const hit_record& rec, coding as) const {
+    return render::color_at(scene_.pigments[scene_.objects[rec.index].pigment], rec.point, as);
 }
 
 const material& world::material_at(const hit_record& rec) const {

@@ -27,7 +27,7 @@ public:
     /// What the file said, the objects sorted so that `hit_record::index` counts them.
     const render::scene& scene() const { return scene_; }
 
-    color color_at(const hit_record& rec) const;
+    color color_at(const hit_record& rec, coding as) const;
     const material& material_at(const hit_record& rec) const;
 
     /// The colour of what is seen where nothing is hit.

@@ -79,6 +79,13 @@ TEST_CASE("a PPM holds min(int(255 c), 255) for every channel, from the top left
     CHECK(content(folder / "picture.ppm") == "P6\n3 2\n255\n" + small_bytes);
 }
 
+TEST_CASE("every level of a texture is written as it was read: 185 / 255 * 255 is below 185") {
+    for (int i = 0; i < 256; ++i) {
+        const auto texel = static_cast<std::uint8_t>(i);
+        CHECK(level(texture{1, 1, {texel, texel, texel}}.at(0, 0, coding::encoded).x) == i);
+    }
+}
+
 TEST_CASE("a PNG is read back with the same pixels") {
     const folder folder;
     write_image(small_picture(), folder / "picture.png");
@@ -127,12 +134,15 @@ TEST_CASE("a path that cannot be written is refused before and after rendering, 
 
 TEST_CASE("a texture shows its nearest texel and is repeated") {
     const texture t{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}};
-    CHECK(t.at(0.25, 0.25) == color(1, 0, 0));
-    CHECK(t.at(0.75, 0.25) == color(0, 1, 0));
-    CHECK(t.at(0.25, 0.75) == color(0, 0, 1));
-    CHECK(t.at(-0.25, 7.75) == color(1, 1, 1));
-    CHECK(t.at(-1e-20, 0) == color(0, 1, 0));  // s - floor(s) rounds to 1
-    CHECK(t.at(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()) == color(1, 0, 0));
+    for (const coding as : {coding::encoded, coding::linear}) {
+        CHECK(t.at(0.25, 0.25, as) == color(1, 0, 0));
+        CHECK(t.at(0.75, 0.25, as) == color(0, 1, 0));
+        CHECK(t.at(0.25, 0.75, as) == color(0, 0, 1));
+        CHECK(t.at(-0.25, 7.75, as) == color(1, 1, 1));
+        CHECK(t.at(-1e-20, 0, as) == color(0, 1, 0));  // s - floor(s) rounds to 1
+        const double infinity = std::numeric_limits<double>::infinity();
+        CHECK(t.at(std::numeric_limits<double>::quiet_NaN(), infinity, as) == color(1, 0, 0));
+    }
 }
 
 TEST_CASE("what is no picture is refused with a reason") {
