@@ -11,9 +11,6 @@
 
 namespace render {
 
-/// The area of a shape that points can be chosen on; 0 for the others.
-number area(const shape& s);
-
 /// Light that arrives at a surface.
 struct incoming_light {
     vec3 direction;  ///< unit, towards the light
