@@ -103,6 +103,17 @@ TEST_CASE("a material of seven numbers is the course's") {
     CHECK(only_material<phong>("1 0 0 0  0 0 0").refractive_index == 0);  // of no meaning where nothing is transmitted
 }
 
+TEST_CASE("lines may end with \\n, \\r\\n or \\r: a comment ends there, and errors count them") {
+    const std::string text = scene_text{.camera = "0 0 5  0 0 0  0 1 0  60  # from the front"}.joined();
+    for (const std::string_view end : {"\n", "\r\n", "\r"}) {
+        std::string lines;
+        for (const char c : text) c == '\n' ? lines += end : lines += c;
+        CHECK(parse_scene(lines, "test.txt", no_files).objects.size() == 1);
+        CHECK_THROWS_WITH(parse_scene(lines + "end", "test.txt", no_files),
+                          doctest::Contains("test.txt:6: found 'end'"));
+    }
+}
+
 TEST_CASE("materials may be given by name") {
     only_material<lambertian>("lambertian");
     CHECK(only_material<metal>("metal 0.25").fuzz == 0.25);
