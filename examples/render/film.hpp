@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "color.hpp"
@@ -39,9 +40,12 @@ std::uint8_t level(double channel);
 /// nothing behind.
 void expect_writable(const std::filesystem::path& path);
 
+/// Throws if the path leads to one of these files, by whatever name, which the picture would overwrite.
+void expect_other_file(const std::filesystem::path& path, std::span<const std::filesystem::path> used);
+
 /// Writes the picture as PPM (P6) or PNG, as the path ends, the `level` of each channel. The file is there whole
-/// or not at all: it is written under another name beside `path` and renamed. Throws `std::runtime_error` that
-/// begins with the path and says what is wrong and what was expected.
+/// or not at all: it is written under another name beside `path` and renamed. A symbolic link is followed. Throws
+/// `std::runtime_error` that begins with the path and says what is wrong and what was expected.
 void write_image(const film& picture, const std::filesystem::path& path);
 
 }  // namespace render

@@ -1,6 +1,10 @@
 #include "integrator.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "light.hpp"
+#include "material.hpp"
 
 namespace render {
 namespace {
@@ -11,14 +15,23 @@ color unchanged(const color& mean) { return mean; }
 /// as it is.
 color encoded_light(const color& mean) { return encoded(mean) + 0.5 / 255; }
 
+bool needs_no_light(const scene&) { return true; }
+bool has_light_or_ambience(const scene& scene) {
+    return has_light(scene) || std::ranges::any_of(scene.objects, [&](const object& o) {
+               return phong_of(scene.materials[o.material]).ambient != 0;
+           });
+}
+
 }  // namespace
 
 std::span<const integrator> integrators() {
     static constexpr std::array all{
-        integrator{"flat", flat::radiance, unchanged, 1, 0, "the pigment of the first surface"},
-        integrator{"normals", normals::radiance, unchanged, 1, 0, "the normal of the first surface, as a colour"},
-        integrator{"whitted", whitted::radiance, unchanged, 1, 6, "Phong's model, shadows, mirrors and glass"},
-        integrator{"path", path::radiance, encoded_light, 64, 50,
+        integrator{"flat", flat::radiance, unchanged, needs_no_light, 1, 0, "the pigment of the first surface"},
+        integrator{"normals", normals::radiance, unchanged, needs_no_light, 1, 0,
+                   "the normal of the first surface, as a colour"},
+        integrator{"whitted", whitted::radiance, unchanged, has_light_or_ambience, 1, 6,
+                   "Phong's model, shadows, mirrors and glass"},
+        integrator{"path", path::radiance, encoded_light, has_light, 64, 50,
                    "all light there is, by chance: smoother with more samples"}};
     return all;
 }

@@ -25,6 +25,19 @@ bool is_chosen_place(const shape& emitter, const ray& aimed, const hit_record& m
 
 }  // namespace
 
+bool has_light(const scene& scene) {
+    const color black(0);
+    const auto is_lit = [&](const point_light& lamp) { return lamp.intensity != black; };
+    const auto glows = [&](const object& o) {
+        const material& m = scene.materials[o.material];
+        const auto* lamp = std::get_if<emissive>(&m);
+        return lamp ? lamp->radiance != black : shines(m);
+    };
+    return scene.background.bottom != black || scene.background.top != black ||
+           (scene.fog.density > 0 && scene.fog.value != black) || std::ranges::any_of(scene.lights, is_lit) ||
+           std::ranges::any_of(scene.objects, glows);
+}
+
 std::optional<incoming_light> light_of(const point_light& lamp, const world& world, const hit_record& rec) {
     const vec3 to_lamp = lamp.position - rec.point;
     const number distance = raio::length(to_lamp);

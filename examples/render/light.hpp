@@ -11,6 +11,9 @@
 
 namespace render {
 
+/// Does anything in the scene give light: a lamp, something that shines, the background or the fog?
+bool has_light(const scene& scene);
+
 /// Light that arrives at a surface.
 struct incoming_light {
     vec3 direction;  ///< unit, towards the light

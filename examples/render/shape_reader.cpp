@@ -118,7 +118,8 @@ shape transformed(const shape& bare, const transform& map) {
 
 shape read_shape_under(const std::optional<transform>& map, tokens& in, int depth) {
     static const shape_readings shapes = all_shapes();
-    const shape bare = choose(in, shapes, "a shape")(in, depth);
+    static const std::string otherwise = joined({"; or a transform: ", names_of(transforms)});
+    const shape bare = choose(in, shapes, "a shape", otherwise)(in, depth);
     return map ? transformed(bare, *map) : bare;
 }
 

@@ -40,8 +40,10 @@ std::string_view tokens::take() {
     const std::string_view taken = next_;
     line_ = next_line_;
     std::size_t line = next_line_;
+    comment_ = {};
     while (!rest_.empty() && (rest_.front() == '#' || white_space.find(rest_.front()) != white_space.npos)) {
         if (rest_.front() == '#') {
+            comment_ = rest_.substr(0, rest_.find_first_of(white_space));
             rest_.remove_prefix(std::min(rest_.find_first_of(line_ends), rest_.size()));
         } else {
             if (ends_line(rest_)) ++line;

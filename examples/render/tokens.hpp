@@ -36,6 +36,9 @@ public:
     /// The next token, which stays the next; empty at the end of the text.
     std::string_view peek() const { return next_; }
 
+    /// The word that began the last comment between the token before and the next one; empty if there was none.
+    std::string_view comment() const { return comment_; }
+
     std::string_view expect_word(std::string_view what);
 
     /// A decimal number, whatever the locale. It is 0 or from 1e-50 to 1e50 in magnitude: so far apart, and no farther,
@@ -60,7 +63,7 @@ private:
     std::size_t whole_number(std::string_view what) const;
     [[noreturn]] void fail_at(std::size_t line, std::string_view found, std::string_view expected) const;
 
-    std::string_view next_, rest_;  // the text from the next token on, cut behind that token
+    std::string_view comment_, next_, rest_;  // the text from the next token on, cut behind that token
     std::size_t line_, next_line_;
     std::string file_;
 };

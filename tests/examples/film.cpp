@@ -132,6 +132,45 @@ TEST_CASE("a path that cannot be written is refused before and after rendering, 
     }
 }
 
+TEST_CASE("a symbolic link is followed, be there a file or not") {
+    const folder folder;
+    std::filesystem::create_directory(folder / "elsewhere");
+    std::filesystem::create_symlink("elsewhere/target.ppm", folder / "link.ppm");
+    std::filesystem::create_symlink(folder / "link.ppm", folder / "second.ppm");
+    for (int i = 0; i < 2; ++i) {
+        expect_writable(folder / "second.ppm");
+        write_image(small_picture(), folder / "second.ppm");
+        CHECK(std::filesystem::is_symlink(folder / "link.ppm"));
+        CHECK(std::filesystem::is_symlink(folder / "second.ppm"));
+        CHECK(content(folder / "elsewhere/target.ppm") == "P6\n3 2\n255\n" + small_bytes);
+    }
+    std::filesystem::create_symlink("loop.ppm", folder / "loop.ppm");
+    CHECK(failure([&] { write_image(film(1, 1), folder / "loop.ppm"); }) != "");
+    CHECK(folder.names() == std::vector<std::string>{"elsewhere", "link.ppm", "loop.ppm", "second.ppm"});
+}
+
+TEST_CASE("a name may end in capitals") {
+    const folder folder;
+    write_image(small_picture(), folder / "picture.PNG");
+    write_image(small_picture(), folder / "picture.Ppm");
+    CHECK(read_texture(folder / "picture.PNG").width == 3);
+    CHECK(content(folder / "picture.Ppm") == "P6\n3 2\n255\n" + small_bytes);
+}
+
+TEST_CASE("a picture overwrites none of the files that it is made of, whatever their name there") {
+    const folder folder;
+    std::ofstream(folder / "scene.ppm") << "scene";
+    std::filesystem::create_symlink("scene.ppm", folder / "link.ppm");
+    const std::vector<std::filesystem::path> used{folder / "none.png", folder / "scene.ppm"};
+    for (const std::string name : {"scene.ppm", "link.ppm", "./scene.ppm"}) {
+        CHECK(failure([&] { expect_other_file(folder / name, used); }) ==
+              (folder / name).string() +
+                  ": is a file that the scene is made of, expected another name for the picture");
+    }
+    expect_other_file(folder / "other.ppm", used);
+    expect_other_file(folder / "none.png", used);
+}
+
 TEST_CASE("a texture shows its nearest texel and is repeated") {
     const texture t{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}};
     for (const coding as : {coding::encoded, coding::linear}) {
