@@ -43,13 +43,13 @@ TEST_CASE("a texture in white light is shown as its file has it, by every integr
     for (int texel = 0; texel < 256; texel += 5) {
         CAPTURE(texel);
         const auto image = std::make_shared<texture>(texture{1, 1, {static_cast<std::uint8_t>(texel), 255, 0}});
-        for (const auto& [name, m] : {std::pair<std::string_view, material>{"flat", lambertian{}},
-                                      {"whitted", phong{.ambient = 1}},
-                                      {"path", phong{.ambient = 1}},
-                                      {"path", lambertian{}},
-                                      {"path", metal{0}}}) {
-            CAPTURE(name);
-            const color shown = pixel_of(textured{image, {}, {}}, m, name);
+        for (const auto& row : {std::pair<std::string_view, material>{"flat", lambertian{}},
+                                {"whitted", phong{.ambient = 1}},
+                                {"path", phong{.ambient = 1}},
+                                {"path", lambertian{}},
+                                {"path", metal{0}}}) {
+            CAPTURE(row.first);
+            const color shown = pixel_of(textured{image, {}, {}}, row.second, row.first);
             CHECK(level(shown.x) == texel);
             CHECK(level(shown.y) == 255);
             CHECK(level(shown.z) == 0);

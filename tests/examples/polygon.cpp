@@ -128,7 +128,7 @@ TEST_CASE("the triangles of a face cover it once, whichever its first corner is"
         std::vector<vec3> corners = polygon.corners;
         for (std::size_t first = 0; first < std::min<std::size_t>(corners.size(), 10); ++first) {
             check_covered(corners);
-            std::ranges::rotate(corners, corners.begin() + 1);
+            std::rotate(corners.begin(), corners.begin() + 1, corners.end());
         }
     }
 }
