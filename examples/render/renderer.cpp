@@ -1,6 +1,7 @@
 #include "renderer.hpp"
 
 #include <atomic>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -49,7 +50,11 @@ film rendered(const world& world, const integrator& integrator, const render_set
         }
     };
     std::vector<std::jthread> helpers;
-    for (int i = 1; i < settings.threads; ++i) helpers.emplace_back(work);
+    try {
+        for (int i = 1; i < settings.threads; ++i) helpers.emplace_back(work);
+    } catch (const std::system_error&) {
+        // The system starts no more: the picture is the same with fewer, and what they have begun is not lost.
+    }
     work();
     helpers.clear();  // waits for them
     return picture;
