@@ -1,8 +1,10 @@
 #include "film.hpp"
 
+#include <cctype>
 #include <cstdint>
 #include <fstream>
 #include <random>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -20,16 +22,26 @@ namespace {
     throw std::runtime_error(path.string() + ": " + reason);
 }
 
-/// A file beside `target` that vanishes unless it is renamed to it.
+/// Where symbolic links lead, be there a file or not.
+std::filesystem::path followed(const std::filesystem::path& path) {
+    std::filesystem::path target = path;
+    for (int links = 0; std::filesystem::is_symlink(target); ++links) {
+        if (links == 40) fail(path, "is a link that leads to itself, expected one to a file");
+        target = target.parent_path() / std::filesystem::read_symlink(target);
+    }
+    return target;
+}
+
+/// A file beside what `name` leads to that vanishes unless it is renamed to that.
 class unfinished_file {
 public:
-    explicit unfinished_file(const std::filesystem::path& target) : target_(target), path_(target) {
+    explicit unfinished_file(const std::filesystem::path& name) : name_(name), target_(followed(name)), path_(target_) {
         std::ostringstream suffix;
         suffix << ".unfinished-" << std::hex << std::random_device{}();
         path_ += suffix.str();
         stream_.open(path_, std::ios::binary);
         if (!stream_)
-            fail(target_, "cannot be written, expected a file name in a folder that is there and may be written to");
+            fail(name_, "cannot be written, expected a file name in a folder that is there and may be written to");
     }
     unfinished_file(const unfinished_file&) = delete;
     unfinished_file& operator=(const unfinished_file&) = delete;
@@ -44,26 +56,26 @@ public:
         stream_.write(content.data(), static_cast<std::streamsize>(content.size()));
         stream_.close();
         if (!stream_)
-            fail(target_,
+            fail(name_,
                  "could not be written to its end, expected room for " + std::to_string(content.size()) + " bytes");
         std::error_code error;
         std::filesystem::rename(path_, target_, error);
-        if (error) fail(target_, "cannot be replaced (" + error.message() + "), expected the name of a file");
+        if (error) fail(name_, "cannot be replaced (" + error.message() + "), expected the name of a file");
     }
 
 private:
-    std::filesystem::path target_, path_;
+    std::filesystem::path name_, target_, path_;
     std::ofstream stream_;
 };
 
 std::string bytes(const film& picture) {
     std::string result;
+    result.reserve(3 * static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()));
     for (int row = 0; row < picture.height(); ++row) {
         for (int column = 0; column < picture.width(); ++column) {
             const color& c = picture.at(column, row);
             for (int channel = 0; channel < 3; ++channel) {
-                const double level = c[channel] > 0 ? 255 * c[channel] : 0;  // NaN is black
-                result += static_cast<char>(static_cast<std::uint8_t>(level < 255 ? level : 255));
+                result += static_cast<char>(level(c[channel]));
             }
         }
     }
@@ -89,17 +101,32 @@ std::string png(const film& picture) {
 using encoder = std::string (*)(const film&);
 
 encoder encoder_of(const std::filesystem::path& path) {
-    if (path.extension() == ".ppm") return ppm;
-    if (path.extension() == ".png") return png;
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (extension == ".ppm") return ppm;
+    if (extension == ".png") return png;
     fail(path, "has an unknown kind of picture, expected a name that ends in .png or .ppm");
 }
 
 }  // namespace
 
+std::uint8_t level(double channel) {
+    const double exact = channel > 0 ? 255 * (1 + 1e-12) * channel : 0;
+    return static_cast<std::uint8_t>(exact < 255 ? exact : 255);
+}
+
 void expect_writable(const std::filesystem::path& path) {
     encoder_of(path);
     if (std::filesystem::is_directory(path)) fail(path, "is a folder, expected the name of a file");
     unfinished_file{path};
+}
+
+void expect_other_file(const std::filesystem::path& path, std::span<const std::filesystem::path> used) {
+    for (const std::filesystem::path& other : used) {
+        std::error_code missing;  // neither is the same then
+        if (!std::filesystem::equivalent(path, other, missing)) continue;
+        fail(path, "is a file that the scene is made of, expected another name for the picture");
+    }
 }
 
 void write_image(const film& picture, const std::filesystem::path& path) {

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "color.hpp"
 
 namespace render {
 
-/// The picture while it is made: a colour for each pixel, as it will be shown. Row 0 is at the top, column 0 at the
+/// The picture while it is made: an encoded colour for each pixel. Row 0 is at the top, column 0 at the
 /// left.
 class film {
 public:
@@ -30,13 +32,20 @@ private:
     }
 };
 
+/// How a picture's file has one channel of a colour: `min(int(255 c), 255)`, 0 for NaN and what is below 0. A c that is
+/// a level but for the last digits is that level.
+std::uint8_t level(double channel);
+
 /// Throws what `write_image` would throw for this path, so that one knows before the picture is rendered. Leaves
 /// nothing behind.
 void expect_writable(const std::filesystem::path& path);
 
-/// Writes the picture as PPM (P6) or PNG, as the path ends, `min(int(255 c), 255)` for each channel. The file is there
-/// whole or not at all: it is written under another name beside `path` and renamed. Throws `std::runtime_error` that
-/// begins with the path and says what is wrong and what was expected.
+/// Throws if the path leads to one of these files, by whatever name, which the picture would overwrite.
+void expect_other_file(const std::filesystem::path& path, std::span<const std::filesystem::path> used);
+
+/// Writes the picture as PPM (P6) or PNG, as the path ends, the `level` of each channel. The file is there whole
+/// or not at all: it is written under another name beside `path` and renamed. A symbolic link is followed. Throws
+/// `std::runtime_error` that begins with the path and says what is wrong and what was expected.
 void write_image(const film& picture, const std::filesystem::path& path);
 
 }  // namespace render

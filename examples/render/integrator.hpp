@@ -13,8 +13,10 @@ struct integrator {
     std::string_view name;
     /// `depth` is how many times light may bounce.
     color (*radiance)(const world& world, const ray& view, sampler& sampler, int depth);
-    /// From the mean of a pixel's samples to the colour that is shown.
+    /// From the mean of a pixel's samples to the colour that is shown, which is encoded.
     color (*shown)(const color& mean);
+    /// Is there any light for it in the scene? If not, all is black.
+    bool (*is_lit)(const scene& scene);
     int samples;  ///< for each pixel, if nothing else is wanted
     int depth;    ///< if nothing else is wanted
     std::string_view description;

@@ -6,28 +6,37 @@
 #include "material.hpp"
 
 namespace render {
-
-number area(const shape& s) {
-    return std::visit(
-        []<class Shape>(const Shape& kind) -> number {
-            if constexpr (raio::sampleable<Shape>) return kind.area();
-            return 0;
-        },
-        s);
-}
-
 namespace {
 
-raio::surface_sample<number> sample(const shape& s, const vec2& u) {
+/// Is the place of an emitter that a ray met the one that was chosen on it, `distance` away along the unit direction?
+/// The ray aims at the point and meets the emitter near it, but not exactly there. Of two crossings the nearer one to
+/// it is meant, and of all that meet in an edge the one on the same side.
+bool is_chosen_place(const shape& emitter, const ray& aimed, const hit_record& met, const vec3& normal,
+                     number distance) {
+    if (met.front_face != (raio::dot(normal, aimed.direction) < 0)) return false;
     return std::visit(
-        [&]<class Shape>(const Shape& kind) -> raio::surface_sample<number> {
-            if constexpr (raio::sampleable<Shape>) return kind.sample(u);
-            return {};
+        [&](const auto& s) {
+            hit_record behind;
+            const bool again = s.hit(raio::spawn_ray(met, aimed.direction), 0, raio::infinity<number>, behind);
+            return !again || distance <= met.t + behind.t / 2;
         },
-        s);
+        emitter);
 }
 
 }  // namespace
+
+bool has_light(const scene& scene) {
+    const color black(0);
+    const auto is_lit = [&](const point_light& lamp) { return lamp.intensity != black; };
+    const auto glows = [&](const object& o) {
+        const material& m = scene.materials[o.material];
+        const auto* lamp = std::get_if<emissive>(&m);
+        return lamp ? lamp->radiance != black : shines(m);
+    };
+    return scene.background.bottom != black || scene.background.top != black ||
+           (scene.fog.density > 0 && scene.fog.value != black) || std::ranges::any_of(scene.lights, is_lit) ||
+           std::ranges::any_of(scene.objects, glows);
+}
 
 std::optional<incoming_light> light_of(const point_light& lamp, const world& world, const hit_record& rec) {
     const vec3 to_lamp = lamp.position - rec.point;
@@ -44,38 +53,30 @@ std::optional<incoming_light> sample_emitter(const world& world, const hit_recor
     const auto emitters = world.emitters();
     if (emitters.empty()) return {};
     const auto chosen = static_cast<std::size_t>(sampler.next_1d() * static_cast<number>(emitters.size()));
-    const std::uint32_t emitter = emitters[std::min(chosen, emitters.size() - 1)];
-    const auto [point, normal] = sample(world.scene().objects[emitter].shape, sampler.next_2d());
+    const emitter& emitter = emitters[std::min(chosen, emitters.size() - 1)];
+    const auto [point, normal] = emitter.surface->sample(sampler.next_2d());
 
     const vec3 to_point = point - rec.point;
     if (!(raio::dot(rec.normal, to_point) > 0)) return {};
     const vec3 direction = raio::normalize(to_point);
     const ray shadow_ray = raio::spawn_ray(rec, direction);
     hit_record there;
-    // The ray aims at the point and meets the emitter near it, but not exactly there. A line meets all shapes but the
-    // torus once from the outside and once from the inside at most, so the side tells whether this is the place that
-    // was chosen.
-    if (!world.hit(shadow_ray, 0, raio::infinity<number>, there) || there.index != emitter) return {};
-    if (there.front_face != (raio::dot(normal, direction) < 0)) return {};
-    if (const auto* torus = std::get_if<raio::torus<number>>(&world.scene().objects[emitter].shape)) {
-        // Between two places that show the same side lies one that shows the other: the chosen one lies nearer to it.
-        hit_record next;
-        const bool again = torus->hit(raio::spawn_ray(there, direction), 0, raio::infinity<number>, next);
-        if (again && raio::length(to_point) > there.t + next.t / 2) return {};
-    }
+    if (!world.hit(shadow_ray, 0, raio::infinity<number>, there) || there.index != emitter.object) return {};
+    const shape& lamp = world.scene().objects[emitter.object].shape;
+    if (!is_chosen_place(lamp, shadow_ray, there, normal, raio::length(to_point))) return {};
     const number density = emitter_density(world, shadow_ray, there);
     if (!(density > 0 && density < raio::infinity<number>)) return {};
-    return incoming_light{direction, raio::dot(rec.normal, direction), emission(world, there) * world.clarity(there.t),
-                          density};
+    return incoming_light{direction, raio::dot(rec.normal, direction),
+                          emission(world, there, coding::linear) * world.clarity(there.t), density};
 }
 
 number emitter_density(const world& world, const ray& r, const hit_record& rec) {
-    const number surface = area(world.scene().objects[rec.index].shape);
-    if (!(surface > 0)) return 0;
+    const emitter* emitter = world.emitter_at(rec);
+    if (!emitter) return 0;
     const number length2 = raio::dot(r.direction, r.direction), cosine = -raio::dot(rec.normal, r.direction);
     if (!(cosine > 0)) return 0;
     const number distance2_over_cosine = rec.t * rec.t * length2 * std::sqrt(length2) / cosine;
-    return distance2_over_cosine / (surface * static_cast<number>(world.emitters().size()));
+    return distance2_over_cosine * emitter->surface->density(rec.normal) / static_cast<number>(world.emitters().size());
 }
 
 }  // namespace render

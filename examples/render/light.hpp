@@ -11,8 +11,8 @@
 
 namespace render {
 
-/// The area of a shape that points can be chosen on; 0 for the others.
-number area(const shape& s);
+/// Does anything in the scene give light: a lamp, something that shines, the background or the fog?
+bool has_light(const scene& scene);
 
 /// Light that arrives at a surface.
 struct incoming_light {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "interruption.hpp"
+#include "memory.hpp"
 #include "progress.hpp"
 #include "reader.hpp"
 #include "renderer.hpp"
@@ -105,17 +108,58 @@ command_line parsed(CLI::App& app, int argc, char** argv) {
     return given;
 }
 
-void run(const command_line& given) {
-    render::scene scene = render::read_scene(given.scene);
+/// The scene, whose files the picture may not overwrite.
+render::scene read(const command_line& given) {
+    std::vector<std::filesystem::path> files{given.scene};
+    const auto noted = [&](auto load) {
+        return [&files, load](const std::filesystem::path& file) { return files.push_back(file), load(file); };
+    };
+    const render::loaders load{noted(render::read_texture),
+                               noted([](const auto& file) { return render::read_mesh(file); })};
+    render::scene scene = render::with_memory_for("the scene " + given.scene.string(),
+                                                  [&] { return render::read_scene(given.scene, load); });
+    render::expect_other_file(given.image, files);
     render::expect_writable(given.image);
+    return scene;
+}
+
+/// Renders, and keeps what was rendered where a signal comes. The exit status.
+int run(const command_line& given) {
+    render::scene scene = read(given);
     const render::integrator& integrator = chosen_integrator(given.integrator, scene);
     render::render_settings settings = given.settings;
     settings.samples = given.samples.value_or(integrator.samples);
     settings.depth = given.depth.value_or(integrator.depth);
-    const render::world world(std::move(scene));
+    if (!integrator.is_lit(scene)) {
+        std::fprintf(stderr,
+                     "%s: nothing lights the scene (no lamp, no emissive material, no background): all is black\n",
+                     given.scene.string().c_str());
+    }
+    const auto world =
+        render::with_memory_for("the tree of the scene's shapes", [&] { return render::world(std::move(scene)); });
+
+    const std::string size = std::to_string(settings.width) + "x" + std::to_string(settings.height);
+    const render::interruption interruption;
     render::progress progress(settings.height, given.quiet);
-    const auto picture = render::rendered(world, integrator, settings, [&] { progress.step(); });
-    render::write_image(picture, given.image);
+    render::with_memory_for("a picture of " + size + " pixels", [&] {
+        const auto picture = render::rendered(
+            world, integrator, settings, [&] { progress.step(); }, [&] { return interruption.signal() != 0; });
+        if (progress.done() > 0) render::write_image(picture, given.image);
+    });
+    progress.clear();
+
+    const std::string image = given.image.string();
+    if (progress.done() == settings.height) {
+        if (progress.is_shown()) std::fprintf(stderr, "The picture is %s\n", image.c_str());
+        return 0;
+    }
+    if (progress.done() > 0) {
+        std::fprintf(stderr, "raio-render: interrupted; %s has %d of %d rows, and is black where it is not rendered\n",
+                     image.c_str(), progress.done(), settings.height);
+    } else {
+        std::fprintf(stderr, "raio-render: interrupted before a row was rendered; there is no new picture\n");
+    }
+    return 128 + interruption.signal();  // as shells say it
 }
 
 }  // namespace
@@ -123,12 +167,13 @@ void run(const command_line& given) {
 int main(int argc, char** argv) {
     CLI::App app("Renders a scene file: a picture of what its camera sees.", "raio-render");
     try {
-        run(parsed(app, argc, argv));
-        return 0;
+        return run(parsed(app, argc, argv));
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
         std::fprintf(stderr, "raio-render: %s; see raio-render --help\n", error.what());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "raio-render: out of memory\n");
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
     }

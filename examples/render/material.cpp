@@ -78,14 +78,14 @@ bool shines(const material& m) {
            finish.transmitted == 0;
 }
 
-color emission(const world& world, const hit_record& rec) {
+color emission(const world& world, const hit_record& rec, coding as) {
     const material& m = world.material_at(rec);
     if (const auto* lamp = std::get_if<emissive>(&m)) return lamp->radiance;
-    return shines(m) ? world.color_at(rec) * phong_of(m).ambient : color(0);
+    return shines(m) ? world.color_at(rec, as) * phong_of(m).ambient : color(0);
 }
 
 scattering scattering_at(const world& world, const hit_record& rec) {
-    const color hue = world.color_at(rec);
+    const color hue = world.color_at(rec, coding::linear);
     scattering s = std::visit([&](const auto& kind) { return shares_of(kind, hue); }, world.material_at(rec));
     const number all = greatest(s.matte) + greatest(s.mirror) + greatest(s.glass);
     if (all > 0) {

@@ -25,7 +25,7 @@ phong phong_of(const material& m);
 bool shines(const material& m);
 
 /// The light that the surface gives off by itself at the recorded point.
-color emission(const world& world, const hit_record& rec);
+color emission(const world& world, const hit_record& rec, coding as);
 
 /// A surface when paths are traced: shares of light that are scattered as each of three materials would do.
 struct scattering {

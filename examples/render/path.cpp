@@ -43,7 +43,7 @@ color radiance(const world& world, const ray& view, sampler& sampler, int depth)
 
         if (shines(world.material_at(rec))) {
             const number other = density < raio::infinity<number> ? emitter_density(world, r, rec) / density : 0;
-            return gathered + throughput * emission(world, rec) / (1 + other);
+            return gathered + throughput * emission(world, rec, coding::linear) / (1 + other);
         }
         if (bounce == depth) return gathered;
 

@@ -8,7 +8,9 @@
 #include <cstring>
 #include <optional>
 #include <span>
+#include <utility>
 
+#include "polygon.hpp"
 #include "reading.hpp"
 
 namespace render {
@@ -57,7 +59,10 @@ const by_name<encoding> encodings{{"ascii", encoding::ascii},
 
 class ply_file {
 public:
-    ply_file(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
+    ply_file(std::string_view text, const std::string& file)
+        : rest_(text),
+          line_end_(text.starts_with("ply\r") && !text.starts_with("ply\r\n") ? '\r' : '\n'),
+          file_(file) {}
 
     std::vector<raio::triangle<double>> triangles() {
         read_header();
@@ -67,6 +72,8 @@ public:
                 read_vertices(e);
             } else if (e.name == "face") {
                 read_faces(e);
+            } else if (e.name == "tristrips") {
+                read_strips(e);
             } else {
                 read_items(e, [](const auto&, std::size_t) {});
             }
@@ -80,9 +87,9 @@ private:
     tokens header_line(std::string_view text) const { return {text, file_, std::max<std::size_t>(line_, 1)}; }
     std::string_view next_line() {
         if (rest_.empty()) header_line("").fail("the end of the file", "end_header");
-        const std::string_view line = rest_.substr(0, rest_.find('\n'));
-        rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
         ++line_;
+        const std::string_view line = rest_.substr(0, rest_.find(line_end_));
+        rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
         return line;
     }
 
@@ -207,15 +214,41 @@ private:
     }
 
     void read_faces(const element& e) {
-        const std::size_t place = place_of(e, {"vertex_indices", "vertex_index"}, tokens("", file_, e.line));
+        const std::size_t place = place_of_corners(e);
+        std::vector<raio::vec3<double>> corners;
         read_items(e, [&](const auto& values, std::size_t item) {
-            const std::vector<double>& corners = values[place];
-            const auto corner = [&](double index) { return vertex(index, e, item); };
+            corners.clear();
+            for (const double index : values[place]) corners.push_back(vertex(index, e, item));
             if (corners.size() < 3) fail(e, item, "fewer than three corners", "three or more");
-            for (std::size_t i = 2; i < corners.size(); ++i) {
-                triangles_.push_back({corner(corners[0]), corner(corners[i - 1]), corner(corners[i])});
+            append_triangles(corners, triangles_);
+        });
+    }
+
+    /// Each corner makes a triangle with the two before it, every second one the other way round. -1 ends a strip; what
+    /// is without area only leads from one place to another.
+    void read_strips(const element& e) {
+        const std::size_t place = place_of_corners(e);
+        read_items(e, [&](const auto& values, std::size_t item) {
+            std::size_t length = 0;  // of the strip so far
+            double before = -1, last = -1;
+            for (const double index : values[place]) {
+                if (index == -1) {
+                    length = 0;
+                    continue;
+                }
+                const auto& corner = vertex(index, e, item);
+                if (++length > 2 && before != last && last != index && index != before) {
+                    const bool turned = length % 2 == 0;
+                    triangles_.push_back(
+                        {vertex(turned ? last : before, e, item), vertex(turned ? before : last, e, item), corner});
+                }
+                before = std::exchange(last, index);
             }
         });
+    }
+
+    std::size_t place_of_corners(const element& e) const {
+        return place_of(e, {"vertex_indices", "vertex_index"}, tokens("", file_, e.line));
     }
 
     const raio::vec3<double>& vertex(double index, const element& e, std::size_t item) const {
@@ -229,6 +262,7 @@ private:
     }
 
     std::string_view rest_;
+    char line_end_;  ///< of the header; what follows the last one is data, whatever it begins with
     const std::string& file_;
     std::size_t line_ = 0;
     encoding encoding_ = encoding::ascii;
@@ -240,7 +274,7 @@ private:
 
 }  // namespace
 
-bool is_ply(std::string_view text) { return text.starts_with("ply\n") || text.starts_with("ply\r\n"); }
+bool is_ply(std::string_view text) { return text.starts_with("ply\n") || text.starts_with("ply\r"); }
 
 std::vector<raio::triangle<double>> parse_ply(std::string_view text, const std::string& file) {
     return ply_file(text, file).triangles();

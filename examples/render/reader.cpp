@@ -3,6 +3,7 @@
 #include <cctype>
 #include <map>
 #include <memory>
+#include <new>
 #include <set>
 #include <string>
 #include <utility>
@@ -32,7 +33,7 @@ camera_description read_camera(tokens& in) {
 
 point_light read_light(tokens& in) {
     const vec3 position = vector(in, "the position of a light");
-    const color intensity = vector(in, "the colour of a light");
+    const color intensity = rgb(in, "the colour of a light");
     const auto attenuation = numbers<3>(in, "the attenuation of a light", not_negative);
     if (attenuation == std::array<number, 3>{}) in.fail("0 0 0", "an attenuation that is not 0 everywhere");
     return {position, intensity, attenuation};
@@ -49,6 +50,8 @@ public:
         if (picture) return picture;
         try {
             return picture = std::make_shared<const texture>(load_(folder_ / name));
+        } catch (const std::bad_alloc&) {
+            throw;  // which says nothing of the file
         } catch (const std::exception& error) {
             in.fail(
                 joined({"no picture in the texture '", printable(name, 200), "' (", printable(error.what(), 200), ")"}),
@@ -63,10 +66,10 @@ private:
 };
 
 const by_name<pigment (*)(tokens&, pictures&)> pigments{
-    {"solid", [](tokens& in, pictures&) -> pigment { return solid{vector(in, "the colour of a pigment")}; }},
+    {"solid", [](tokens& in, pictures&) -> pigment { return solid{rgb(in, "the colour of a pigment")}; }},
     {"checker",
      [](tokens& in, pictures&) -> pigment {
-         return checker{vector(in, "the first colour of a checker"), vector(in, "the second colour of a checker"),
+         return checker{rgb(in, "the first colour of a checker"), rgb(in, "the second colour of a checker"),
                         in.expect_number("the size of a checker", positive)};
      }},
     {"texture",
@@ -83,7 +86,7 @@ const by_name<material (*)(tokens&)> named_materials{
          return dielectric{in.expect_number("the refractive index of a dielectric", positive)};
      }},
     {"emissive",
-     [](tokens& in) -> material { return emissive{vector(in, "the radiance of an emissive material", not_negative)}; }},
+     [](tokens& in) -> material { return emissive{rgb(in, "the radiance of an emissive material", not_negative)}; }},
 };
 
 /// The course's materials have no name: they are seven numbers.
@@ -121,18 +124,18 @@ const by_name<statement> statements{
     {"background",
      {"the background",
       [](tokens& in, scene& s) {
-          s.background.bottom = s.background.top = vector(in, "the colour of the background", not_negative);
+          s.background.bottom = s.background.top = rgb(in, "the colour of the background", not_negative);
       }}},
     {"sky",
      {"the background",
       [](tokens& in, scene& s) {
-          s.background.bottom = vector(in, "the lower colour of the sky", not_negative);
-          s.background.top = vector(in, "the upper colour of the sky", not_negative);
+          s.background.bottom = rgb(in, "the lower colour of the sky", not_negative);
+          s.background.top = rgb(in, "the upper colour of the sky", not_negative);
       }}},
     {"fog",
      {"the fog",
       [](tokens& in, scene& s) {
-          s.fog.value = vector(in, "the colour of the fog", not_negative);
+          s.fog.value = rgb(in, "the colour of the fog", not_negative);
           s.fog.density = in.expect_number("the density of the fog", not_negative);
       }}},
     {"aperture",

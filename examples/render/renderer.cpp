@@ -1,6 +1,7 @@
 #include "renderer.hpp"
 
 #include <atomic>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,7 +19,7 @@ vec2 point_on_lens(const vec2& u) {
 }  // namespace
 
 film rendered(const world& world, const integrator& integrator, const render_settings& settings,
-              const std::function<void()>& row_done) {
+              const std::function<void()>& row_done, const std::function<bool()>& stopped) {
     film picture(settings.width, settings.height);
     const camera camera(world.scene().camera, settings.width, settings.height);
 
@@ -41,12 +42,19 @@ film rendered(const world& world, const integrator& integrator, const render_set
     std::atomic<int> next_row = 0;
     const auto work = [&] {
         for (int row; (row = next_row++) < settings.height;) {
-            for (int column = 0; column < settings.width; ++column) picture.at(column, row) = pixel(column, row);
+            for (int column = 0; column < settings.width; ++column) {
+                if (stopped()) return;
+                picture.at(column, row) = pixel(column, row);
+            }
             row_done();
         }
     };
     std::vector<std::jthread> helpers;
-    for (int i = 1; i < settings.threads; ++i) helpers.emplace_back(work);
+    try {
+        for (int i = 1; i < settings.threads; ++i) helpers.emplace_back(work);
+    } catch (const std::system_error&) {
+        // The system starts no more: the picture is the same with fewer, and what they have begun is not lost.
+    }
     work();
     helpers.clear();  // waits for them
     return picture;

@@ -19,9 +19,10 @@ struct render_settings {
 /// The picture of a world. The same settings give the same picture, whatever the number of threads.
 ///
 /// A pixel with one sample shows what lies at its corner that `camera` names; with more, their mean, spread over the
-/// pixel and the lens. `row_done` is called after each row, by any thread.
+/// pixel and the lens. `row_done` is called after each row, by any thread. `stopped` is asked before each pixel, by any
+/// thread; once it says so, what is not rendered yet stays black.
 film rendered(
     const world& world, const integrator& integrator, const render_settings& settings,
-    const std::function<void()>& row_done = [] {});
+    const std::function<void()>& row_done = [] {}, const std::function<bool()>& stopped = [] { return false; });
 
 }  // namespace render

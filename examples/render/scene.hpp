@@ -8,11 +8,12 @@
 
 #include <raio/raio.hpp>
 
+#include "sampled.hpp"
 #include "texture.hpp"
 
 /// \file
 /// A scene as its file says it: plain data in the file's order, which the reader fills and `world` makes ready for
-/// rays. Lengths are in the scene's own unit, angles in degrees, colours linear, indices count from 0.
+/// rays. Lengths are in the scene's own unit, angles in degrees, indices count from 0.
 
 namespace render {
 
@@ -88,10 +89,11 @@ struct emissive {
 using material = std::variant<phong, lambertian, metal, dielectric, emissive>;
 
 /// What is transformed or combined is only known when the file is read.
-using shape = std::variant<raio::sphere<number>, raio::plane<number>, raio::disc<number>, raio::parallelogram<number>,
-                           raio::triangle<number>, raio::box<number>, raio::cylinder<number>,
-                           raio::open_cylinder<number>, raio::convex_polyhedron<number>, raio::torus<number>,
-                           raio::any_primitive<number>, raio::any_solid<number>>;
+using shape =
+    std::variant<raio::sphere<number>, raio::plane<number>, raio::disc<number>, raio::parallelogram<number>,
+                 raio::triangle<number>, raio::box<number>, raio::cylinder<number>, raio::open_cylinder<number>,
+                 raio::convex_polyhedron<number>, raio::torus<number>, raio::any_primitive<number>,
+                 raio::any_solid<number>, sampled<raio::any_primitive<number>>, sampled<raio::any_solid<number>>>;
 
 /// A shape, and which of the scene's pigments and materials it has.
 struct object {

@@ -1,6 +1,7 @@
 #include "shape_reader.hpp"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -96,21 +97,29 @@ std::optional<transform> read_transforms(tokens& in) {
     return map;
 }
 
-/// The shape under a map; still a solid if it is one.
+/// The shape under a map; still a solid if it is one, and an area light if it can be one.
 shape transformed(const shape& bare, const transform& map) {
     return std::visit(
         [&]<class Shape>(const Shape& s) -> shape {
-            if constexpr (raio::solid<Shape>)
-                return any_solid(raio::transformed(any_solid(s), map));
-            else
-                return raio::any_primitive<number>(raio::transformed(raio::any_primitive<number>(s), map));
+            using any = any_of<Shape>;
+            any image = raio::transformed(any(s), map);
+            if constexpr (with_sampler<Shape>) {
+                const auto sampler = [s, map]() -> std::shared_ptr<const surface_sampler> {
+                    const auto of_bare = sampler_of(s);
+                    return of_bare ? std::make_shared<const mapped_sampler>(of_bare, map) : nullptr;
+                };
+                return sampled<any>(std::move(image), sampler);
+            } else {
+                return image;
+            }
         },
         bare);
 }
 
 shape read_shape_under(const std::optional<transform>& map, tokens& in, int depth) {
     static const shape_readings shapes = all_shapes();
-    const shape bare = choose(in, shapes, "a shape")(in, depth);
+    static const std::string otherwise = joined({"; or a transform: ", names_of(transforms)});
+    const shape bare = choose(in, shapes, "a shape", otherwise)(in, depth);
     return map ? transformed(bare, *map) : bare;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <concepts>
 #include <functional>
+#include <type_traits>
+#include <variant>
 
 #include "reading.hpp"
 
@@ -25,15 +28,32 @@ void expect_not_too_deep(tokens& in, int depth);
 /// A box that is more than a face.
 raio::box<number> read_clip(tokens& in, std::string_view of);
 
+/// What a shape is kept as that is not known before the scene is read.
+template <class Shape>
+using any_of = std::conditional_t<raio::solid<Shape>, raio::any_solid<number>, raio::any_primitive<number>>;
+
+/// The shape as what it can do.
+template <class Shape>
+shape erased(const Shape& s) {
+    if constexpr (raio::sampleable<Shape>) {
+        return sampled<any_of<Shape>>(s, [s] { return sampler_of(s); });
+    } else {
+        return any_of<Shape>(s);
+    }
+}
+
+template <class Shape, class Variant>
+constexpr bool is_one_of = false;
+template <class Shape, class... Shapes>
+constexpr bool is_one_of<Shape, std::variant<Shapes...>> = (std::same_as<Shape, Shapes> || ...);
+
 /// Shapes that only some scenes have are kept as what they can do.
 template <class Shape>
 shape kept(Shape s) {
-    if constexpr (std::constructible_from<shape, Shape>) {
+    if constexpr (is_one_of<Shape, shape>) {
         return s;
-    } else if constexpr (raio::solid<Shape>) {
-        return raio::any_solid<number>(std::move(s));
     } else {
-        return raio::any_primitive<number>(std::move(s));
+        return erased(s);
     }
 }
 

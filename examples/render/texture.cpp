@@ -26,9 +26,11 @@ std::size_t nearest(double s, int count) {
 
 }  // namespace
 
-color texture::at(double s, double t) const {
+color texture::at(double s, double t, coding as) const {
     const std::size_t texel = nearest(t, height) * static_cast<std::size_t>(width) + nearest(s, width);
-    return color(texels[3 * texel], texels[3 * texel + 1], texels[3 * texel + 2]) / 255.0;
+    const std::uint8_t red = texels[3 * texel], green = texels[3 * texel + 1], blue = texels[3 * texel + 2];
+    if (as == coding::linear) return {decoded(red), decoded(green), decoded(blue)};
+    return color(red, green, blue) / 255.0;
 }
 
 texture read_texture(const std::filesystem::path& path) {

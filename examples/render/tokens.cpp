@@ -13,7 +13,12 @@ namespace render {
 namespace {
 
 constexpr std::string_view white_space = " \t\n\v\f\r";
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+constexpr std::string_view line_ends = "\r\n";
+
+/// Is the first character the last one of a line? Lines end with \n, \r\n or \r.
+bool ends_line(std::string_view text) {
+    return text.front() == '\n' || (text.front() == '\r' && !text.substr(1).starts_with('\n'));
+}
 
 /// Reads a whole token. `std::from_chars` knows no locale, and no plus sign either, which streams accept.
 template <class Number>
@@ -27,7 +32,7 @@ std::errc parse(std::string_view token, Number& value) {
 
 tokens::tokens(std::string_view text, std::string file, std::size_t line)
     : rest_(text), line_(line), next_line_(line), file_(std::move(file)) {
-    if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+    skip_byte_order_mark(rest_);
     take();
 }
 
@@ -35,9 +40,15 @@ std::string_view tokens::take() {
     const std::string_view taken = next_;
     line_ = next_line_;
     std::size_t line = next_line_;
+    comment_ = {};
     while (!rest_.empty() && (rest_.front() == '#' || white_space.find(rest_.front()) != white_space.npos)) {
-        if (rest_.front() == '\n') ++line;
-        rest_.remove_prefix(rest_.front() == '#' ? std::min(rest_.find('\n'), rest_.size()) : 1);
+        if (rest_.front() == '#') {
+            comment_ = rest_.substr(0, rest_.find_first_of(white_space));
+            rest_.remove_prefix(std::min(rest_.find_first_of(line_ends), rest_.size()));
+        } else {
+            if (ends_line(rest_)) ++line;
+            rest_.remove_prefix(1);
+        }
     }
     next_ = rest_.substr(0, rest_.find_first_of(white_space));
     rest_.remove_prefix(next_.size());
@@ -93,6 +104,18 @@ void tokens::fail(std::string_view found, std::string_view expected) const { fai
 
 void tokens::fail_at(std::size_t line, std::string_view found, std::string_view expected) const {
     throw scene_error(joined({file_, ":", std::to_string(line), ": found ", found, ", expected ", expected}));
+}
+
+void skip_byte_order_mark(std::string_view& text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+}
+
+std::string_view take_line(std::string_view& text) {
+    const std::string_view line = text.substr(0, text.find_first_of(line_ends));
+    text.remove_prefix(line.size());
+    text.remove_prefix(text.starts_with(line_ends) ? 2 : std::min<std::size_t>(text.size(), 1));
+    return line;
 }
 
 std::string read_text(const std::filesystem::path& file, std::string_view expected) {

@@ -25,9 +25,9 @@ inline constexpr requirement positive{"a number above 0", [](double x) { return 
 inline constexpr requirement not_negative{"a number not below 0", [](double x) { return x >= 0; }};
 inline constexpr requirement fraction{"a number from 0 to 1", [](double x) { return x >= 0 && x <= 1; }};
 
-/// The words of a text one after the other, each with its line. White space ends a word; a word that starts with `#`
-/// begins a comment, which reaches to the end of its line. Whatever is not as expected is a `scene_error`. `what`
-/// completes "expected a number for ...".
+/// The words of a text one after the other, each with its line. White space ends a word, and lines end with \n, \r\n or
+/// \r; a word that starts with `#` begins a comment, which reaches to the end of its line. Whatever is not as expected
+/// is a `scene_error`. `what` completes "expected a number for ...".
 class tokens {
 public:
     /// The text must outlive the tokens; `file` is its name in errors, `line` the number of its first line.
@@ -35,6 +35,9 @@ public:
 
     /// The next token, which stays the next; empty at the end of the text.
     std::string_view peek() const { return next_; }
+
+    /// The word that began the last comment between the token before and the next one; empty if there was none.
+    std::string_view comment() const { return comment_; }
 
     std::string_view expect_word(std::string_view what);
 
@@ -60,10 +63,16 @@ private:
     std::size_t whole_number(std::string_view what) const;
     [[noreturn]] void fail_at(std::size_t line, std::string_view found, std::string_view expected) const;
 
-    std::string_view next_, rest_;  // the text from the next token on, cut behind that token
+    std::string_view comment_, next_, rest_;  // the text from the next token on, cut behind that token
     std::size_t line_, next_line_;
     std::string file_;
 };
+
+/// UTF-8 may begin with a mark, which is none of its words.
+void skip_byte_order_mark(std::string_view& text);
+
+/// Takes the first line off the text, and what ends it: \n, \r\n or \r.
+std::string_view take_line(std::string_view& text);
 
 /// All of a file. Throws `scene_error` if there is none: what was expected is told with it.
 std::string read_text(const std::filesystem::path& file, std::string_view expected);

@@ -28,12 +28,12 @@ color radiance(const world& world, const ray& view, sampler& sampler, int depth)
     if (!world.hit(view, 0, raio::infinity<number>, rec)) return clamped(world.background_in(direction));
 
     const phong finish = phong_of(world.material_at(rec));
-    const color hue = world.color_at(rec);
+    const color hue = world.color_at(rec, coding::encoded);
     const auto from = [&](const vec3& towards) {
         return radiance(world, raio::spawn_ray(rec, towards), sampler, depth - 1);
     };
 
-    color light = shines(world.material_at(rec)) ? emission(world, rec) : hue * finish.ambient;
+    color light = shines(world.material_at(rec)) ? emission(world, rec, coding::encoded) : hue * finish.ambient;
     if (finish.diffuse > 0 || finish.specular > 0) {
         for (const point_light& lamp : world.scene().lights) {
             if (const auto arriving = light_of(lamp, world, rec)) {

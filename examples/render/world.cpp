@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "light.hpp"
 #include "material.hpp"
 #include "pigment.hpp"
 
@@ -33,7 +32,9 @@ world::world(render::scene scene) : scene_(std::move(scene)) {
         const object& o = objects[index];
         auto& members = (index < tree_size_ ? finite : endless_).members;
         std::visit([&]<class Shape>(const Shape& s) { std::get<std::vector<Shape>>(members).push_back(s); }, o.shape);
-        if (shines(scene_.materials[o.material]) && area(o.shape) > 0) emitters_.push_back(index);
+        if (!shines(scene_.materials[o.material])) continue;
+        auto surface = std::visit([](const auto& s) { return sampler_of(s); }, o.shape);
+        if (surface) emitters_.push_back({index, std::move(surface)});
     }
     tree_ = raio::bvh(finite);
 }
@@ -52,12 +53,17 @@ bool world::occluded(const ray& r, number t_min, number t_max) const {
     return endless_.occluded(r, t_min, t_max) || tree_.occluded(r, t_min, t_max);
 }
 
-color world::color_at(const hit_record& rec) const {
-    return render::color_at(scene_.pigments[scene_.objects[rec.index].pigment], rec.point);
+color world::color_at(const hit_record& rec, coding as) const {
+    return render::color_at(scene_.pigments[scene_.objects[rec.index].pigment], rec.point, as);
 }
 
 const material& world::material_at(const hit_record& rec) const {
     return scene_.materials[scene_.objects[rec.index].material];
+}
+
+const emitter* world::emitter_at(const hit_record& rec) const {
+    const auto at = std::ranges::lower_bound(emitters_, rec.index, {}, &emitter::object);
+    return at != emitters_.end() && at->object == rec.index ? &*at : nullptr;
 }
 
 color world::background_in(const vec3& direction) const {

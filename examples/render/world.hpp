@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,6 +18,12 @@ struct kinds_of<std::variant<Shapes...>> {
     using tree = raio::bvh<Shapes...>;
 };
 
+/// An object that shines and that points can be chosen on.
+struct emitter {
+    std::uint32_t object;  ///< its index
+    std::shared_ptr<const surface_sampler> surface;
+};
+
 /// A scene that is ready for rays: a tree of the shapes that end somewhere, and beside it those that do not.
 class world {
 public:
@@ -27,7 +35,7 @@ public:
     /// What the file said, the objects sorted so that `hit_record::index` counts them.
     const render::scene& scene() const { return scene_; }
 
-    color color_at(const hit_record& rec) const;
+    color color_at(const hit_record& rec, coding as) const;
     const material& material_at(const hit_record& rec) const;
 
     /// The colour of what is seen where nothing is hit.
@@ -36,15 +44,16 @@ public:
     /// How much light is left after `distance` in the fog, from 1 down to 0.
     number clarity(number distance) const;
 
-    /// The objects that shine and that points can be chosen on, by their index.
-    std::span<const std::uint32_t> emitters() const { return emitters_; }
+    std::span<const emitter> emitters() const { return emitters_; }
+    /// What was hit as an emitter; null if it is none.
+    const emitter* emitter_at(const hit_record& rec) const;
 
 private:
     render::scene scene_;
     kinds_of<shape>::tree tree_;
     std::uint32_t tree_size_ = 0;
     kinds_of<shape>::group endless_;
-    std::vector<std::uint32_t> emitters_;
+    std::vector<emitter> emitters_;  ///< in the order of their objects
 };
 
 }  // namespace render

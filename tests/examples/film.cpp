@@ -79,6 +79,13 @@ TEST_CASE("a PPM holds min(int(255 c), 255) for every channel, from the top left
     CHECK(content(folder / "picture.ppm") == "P6\n3 2\n255\n" + small_bytes);
 }
 
+TEST_CASE("every level of a texture is written as it was read: 185 / 255 * 255 is below 185") {
+    for (int i = 0; i < 256; ++i) {
+        const auto texel = static_cast<std::uint8_t>(i);
+        CHECK(level(texture{1, 1, {texel, texel, texel}}.at(0, 0, coding::encoded).x) == i);
+    }
+}
+
 TEST_CASE("a PNG is read back with the same pixels") {
     const folder folder;
     write_image(small_picture(), folder / "picture.png");
@@ -125,14 +132,56 @@ TEST_CASE("a path that cannot be written is refused before and after rendering, 
     }
 }
 
+TEST_CASE("a symbolic link is followed, be there a file or not") {
+    const folder folder;
+    std::filesystem::create_directory(folder / "elsewhere");
+    std::filesystem::create_symlink("elsewhere/target.ppm", folder / "link.ppm");
+    std::filesystem::create_symlink(folder / "link.ppm", folder / "second.ppm");
+    for (int i = 0; i < 2; ++i) {
+        expect_writable(folder / "second.ppm");
+        write_image(small_picture(), folder / "second.ppm");
+        CHECK(std::filesystem::is_symlink(folder / "link.ppm"));
+        CHECK(std::filesystem::is_symlink(folder / "second.ppm"));
+        CHECK(content(folder / "elsewhere/target.ppm") == "P6\n3 2\n255\n" + small_bytes);
+    }
+    std::filesystem::create_symlink("loop.ppm", folder / "loop.ppm");
+    CHECK(failure([&] { write_image(film(1, 1), folder / "loop.ppm"); }) != "");
+    CHECK(folder.names() == std::vector<std::string>{"elsewhere", "link.ppm", "loop.ppm", "second.ppm"});
+}
+
+TEST_CASE("a name may end in capitals") {
+    const folder folder;
+    write_image(small_picture(), folder / "picture.PNG");
+    write_image(small_picture(), folder / "picture.Ppm");
+    CHECK(read_texture(folder / "picture.PNG").width == 3);
+    CHECK(content(folder / "picture.Ppm") == "P6\n3 2\n255\n" + small_bytes);
+}
+
+TEST_CASE("a picture overwrites none of the files that it is made of, whatever their name there") {
+    const folder folder;
+    std::ofstream(folder / "scene.ppm") << "scene";
+    std::filesystem::create_symlink("scene.ppm", folder / "link.ppm");
+    const std::vector<std::filesystem::path> used{folder / "none.png", folder / "scene.ppm"};
+    for (const std::string name : {"scene.ppm", "link.ppm", "./scene.ppm"}) {
+        CHECK(failure([&] { expect_other_file(folder / name, used); }) ==
+              (folder / name).string() +
+                  ": is a file that the scene is made of, expected another name for the picture");
+    }
+    expect_other_file(folder / "other.ppm", used);
+    expect_other_file(folder / "none.png", used);
+}
+
 TEST_CASE("a texture shows its nearest texel and is repeated") {
     const texture t{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}};
-    CHECK(t.at(0.25, 0.25) == color(1, 0, 0));
-    CHECK(t.at(0.75, 0.25) == color(0, 1, 0));
-    CHECK(t.at(0.25, 0.75) == color(0, 0, 1));
-    CHECK(t.at(-0.25, 7.75) == color(1, 1, 1));
-    CHECK(t.at(-1e-20, 0) == color(0, 1, 0));  // s - floor(s) rounds to 1
-    CHECK(t.at(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()) == color(1, 0, 0));
+    for (const coding as : {coding::encoded, coding::linear}) {
+        CHECK(t.at(0.25, 0.25, as) == color(1, 0, 0));
+        CHECK(t.at(0.75, 0.25, as) == color(0, 1, 0));
+        CHECK(t.at(0.25, 0.75, as) == color(0, 0, 1));
+        CHECK(t.at(-0.25, 7.75, as) == color(1, 1, 1));
+        CHECK(t.at(-1e-20, 0, as) == color(0, 1, 0));  // s - floor(s) rounds to 1
+        const double infinity = std::numeric_limits<double>::infinity();
+        CHECK(t.at(std::numeric_limits<double>::quiet_NaN(), infinity, as) == color(1, 0, 0));
+    }
 }
 
 TEST_CASE("what is no picture is refused with a reason") {

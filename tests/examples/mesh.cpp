@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -20,11 +21,29 @@ constexpr std::string_view four_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n
 
 }  // namespace
 
-TEST_CASE("the faces of a mesh are triangles, and larger ones fans") {
-    for (const char* face : {"f 1 2 3 4", "f 1/1 2/2 3/3 4/4\n", "f 1//9 2//9 3//9 4//9\r\n",
-                             "f 1/1/1 2/1/1 3/1/1 4/1/1", "f -4 -3 -2 -1", "  f\t1 2\t3 4  ", "f 1 2 3\nf 1 3 4"}) {
-        CAPTURE(face);
-        const auto triangles = parse_mesh(std::string(four_vertices) + face, "test.obj");
+TEST_CASE("the faces of a mesh are triangles, and larger ones are cut") {
+    std::string mac = joined({four_vertices, "f 1 2 3 4\r"}), dos;
+    for (const char c : mac) c == '\n' ? dos += "\r\n" : dos += c;
+    std::ranges::replace(mac, '\n', '\r');
+    for (const std::string& text : {
+             joined({four_vertices, "f 1 2 3 4"}),
+             joined({four_vertices, "f 1/1 2/2 3/3 4/4\n"}),
+             joined({four_vertices, "f 1//9 2//9 3//9 4//9\r\n"}),
+             joined({four_vertices, "f 1/1/1 2/1/1 3/1/1 4/1/1"}),
+             joined({four_vertices, "f -4 -3 -2 -1"}),
+             joined({four_vertices, "  f\t1 2\t3 4  "}),
+             joined({four_vertices, "f 1 2\v3\f4"}),
+             joined({four_vertices, "f 1 2 3\nf 1 3 4"}),
+             joined({four_vertices, "f 1 2 3 4 # one face"}),
+             joined({four_vertices, "f 1 2 3\\\n4\n"}),
+             joined({four_vertices, "f 1 \\\r\n2 3 \\\r\n  4"}),
+             joined({four_vertices, "# of C:\\meshes\\\nf 1 2 3 4"}),
+             joined({"\xef\xbb\xbf", four_vertices, "f 1 2 3 4"}),  // the first vertex was lost, and all others shifted
+             mac,                                                   // drew nothing
+             dos,
+         }) {
+        CAPTURE(text);
+        const auto triangles = parse_mesh(text, "test.obj");
         REQUIRE(triangles.size() == 2);
         CHECK(triangles[0].b == vec3(1, 0, 0));
         CHECK(triangles[0].c == vec3(1, 1, 0));
@@ -58,9 +77,27 @@ TEST_CASE("a wrong mesh is named with its line") {
         {"a corner too far back", "v 0 0 0\nf 1 1 -2",
          "2: found a face with the corner -2, expected the number of one of the 1 vertices above"},
         {"a word for a corner", "v 0 0 0\nf 1 1 one",
+         "2: found 'one', expected a corner of a face: the number of a vertex, alone or before slashes"},
+        {"the corner 0", "v 0 0 0\nf 1 1 0",
          "2: found a face with the corner 0, expected the number of one of the 1 vertices above"},
         {"bytes", std::string("\0\xff\x01 f 1 2", 9),
-         "1: found no face, expected a Wavefront OBJ or PLY file with faces"},
+         "1: found '\\x00\\xff\\x01', expected a statement of a polygonal Wavefront OBJ file, such as v or f"},
+        {"a free-form surface", "v 0 0 0\nsurf 0 1 0 1 1 1 1 1",
+         "2: found 'surf', expected a statement of a polygonal Wavefront OBJ file, such as v or f"},
+        {"no corner", "v 0 0 0\nf\n", "2: found a face without corners, expected three or more"},
+        {"no coordinate", "v\n", "1: found the end of the line, expected three coordinates of a vertex"},
+        {"a word behind a vertex", "v 0 0 0 zero\n",
+         "1: found 'zero', expected a number for what follows the coordinates of a vertex"},
+        {"a continuation of nothing", "v 0 0 0\nf 1 1 1\\",
+         "2: found '1\\', expected a corner of a face: the number of a vertex, alone or before slashes"},
+        {"a backslash in a line", "v 0 0 0\nf 1 1 1\\ 1\n",
+         "2: found '1\\', expected a corner of a face: the number of a vertex, alone or before slashes"},
+        {"a fraction for a corner", "v 0 0 0\nf 1 1 1.5\n",
+         "2: found '1.5', expected a corner of a face: the number of a vertex, alone or before slashes"},
+        {"a slash too many", "v 0 0 0\nf 1 1 1/1/1/1\n",
+         "2: found '1/1/1/1', expected a corner of a face: the number of a vertex, alone or before slashes"},
+        {"the line after a continuation, and \\r alone", "v 0 \\\r0 0\r\rf 1 1 2\r",
+         "4: found a face with the corner 2, expected the number of one of the 1 vertices above"},
     };
     for (const auto& row : rows) {
         CAPTURE(row.name);

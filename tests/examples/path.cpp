@@ -1,5 +1,10 @@
-#include <doctest/doctest.h>
+#include <cmath>
+#include <string>
 
+#include <doctest/doctest.h>
+#include <render/shape_readings.hpp>
+
+#include "reader_text.hpp"
 #include "scenes.hpp"
 
 using namespace render;
@@ -93,20 +98,84 @@ TEST_CASE("emitters light a matte point as the textbook says") {
         const number square = std::sqrt(2.0) * std::atan(std::sqrt(0.5)) / (2 * raio::pi<number>);
         check_red(seen_under(raio::triangle<number>{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}}), 0.5 * 2 * square / 2);
     }
-    SUBCASE("box: the same as what is found without choosing points on it") {
-        const raio::box<number> box{{0.5, 1, -1}, {1.5, 2, 1}};
-        const estimate chosen = seen_under(box, 1 << 16);
-        const estimate by_chance = seen_under(raio::any_solid<number>(box), 1 << 16);
-        CHECK(std::abs(chosen.mean.x - by_chance.mean.x) < 5 * (chosen.standard_error + by_chance.standard_error));
-        CHECK(chosen.standard_error < by_chance.standard_error);
+}
+
+TEST_CASE("every shape with an area is an area light, transformed ones as well: the same light as found by chance") {
+    const raio::disc<number> floor{{0, 0, 0}, {0, 1, 0}, 0.5};
+    const ray view{{0.1, 0.1, 0.1}, {-1, -1, -1}};  // meets the floor in the origin
+    const auto lit_by = [&](const shape& lamp) {
+        return world(scene_of({{floor, color(0.5), lambertian{}}, {lamp, color(0), emissive{color(2)}}}));
+    };
+    const auto forgotten = [](const shape& lamp) {
+        return std::visit([]<class Shape>(const Shape& s) -> shape { return any_of<Shape>(s); }, lamp);
+    };
+    for (
+        const std::string words : {
+            "sphere 0.5 2 0  0.5",
+            "disc 0.5 1.5 0  1 2 0  1",
+            "parallelogram 0 1 0  1 0.5 0  0 0.5 1",
+            "triangle 0 1 0  1 1.5 0  1 1 1",
+            "box 0.5 1 -1  1.5 2 1",
+            "cylinder 0 1 0  1 1 0  0.5 1",
+            "open_cylinder 0 1 0  1 1 0  0.5 1",
+            "polyhedron 4  1 1 1 -3  -1 0 0 0  0 -1 0 1  0 0 -1 0",
+            "torus 0.2 1.5 0  1 0.4 0  1 0.4",  // hides a part of itself twice over
+            "ring 0.5 1.5 0  1 2 0  0.5 1",
+            "capsule 0 1.5 0  1 2 0.5  0.5",
+            "round_cone 0 1.5 0  1 2 0.5  0.5 0.25",
+            "cone 1 1.5 0  -0.2 1 0  0.75",
+            "open_cone -0.2 1 0  1 1.5 0  0.75",
+            "frustum 0 1 0  1 1.5 0  0.5 1",
+            "open_frustum 0 1.2 0  1 1.5 0  0.5 1",
+            "paraboloid 0 1 0  1 1.5 0  1",
+            "open_paraboloid 1 1.5 0  0 1 0  0.75",
+            "hyperboloid -0.5 1.5 0  1 1.5 0  0.25 0.75",
+            "open_hyperboloid -0.5 1.5 0  1 1.5 0  0.25 0.75",
+            "two_sheet_hyperboloid -0.5 1.5 0  1 1.5 0  0.25 0.75",
+            "open_two_sheet_hyperboloid -0.5 1.5 0  1 1.5 0  0.25 0.75",
+            "surface_of_revolution 0 1 0  0 1 0  4  0 0.5  0.5 1  1 0  0.75 0",
+            "prism 3  0 1 0  1 1 0  0 1 1  0.2 1 0",
+            "regular_solid 8  0.5 2 0  0.75",
+            // Under maps: similar, mirrored, and uneven, which stretches some places more than others.
+            "translate 0.5 2 0  rotate 1 2 3 40  scale 0.5 0.5 0.5  sphere 0 0 0 1",
+            "translate 0.5 2 0  scale -0.5 0.5 0.5  cone 0 -1 0  0 1 0  1",
+            "translate 0.5 1.5 0  rotate 1 2 3 40  scale 1 0.25 0.5  sphere 0 0 0 1",
+            "translate 0.5 1.5 0  rotate 0 0 1 50  scale 0.3 -1 0.5  torus 0 0 0  1 0 0  1 0.4",
+            "translate 0.5 1.5 0  rotate 0 0 1 50  scale 0.5 1.5 0.5  rotate 1 0 0 30  box -0.5 -0.5 -0.5  0.5 0.5 0.5",
+            "translate 0 1.5 0  rotate 0 0 1 50  scale 0.5 1.5 0.5  open_cone -0.5 0 0  0.5 0 0  1",
+        }) {
+        CAPTURE(words);
+        const shape lamp = read({.objects = "1  0 0 " + words}).objects.at(0).shape;
+        const world sampled = lit_by(lamp), by_chance = lit_by(forgotten(lamp));
+        CHECK(sampled.emitters().size() == 1);
+        CHECK(by_chance.emitters().size() == 0);
+        const estimate found = path_estimate(sampled, view, 1 << 14, 1),
+                       expected = path_estimate(by_chance, view, 1 << 16, 1);
+        CAPTURE(expected.mean.x);
+        CHECK(std::abs(found.mean.x - expected.mean.x) < 5 * (found.standard_error + expected.standard_error));
+        CHECK(found.standard_error < 2 * expected.standard_error);  // with a quarter of the paths
     }
-    SUBCASE("torus, which hides a part of itself twice over: the same as what is found without choosing points on it") {
-        const raio::torus<number> torus{{0.2, 1.5, 0}, {1, 0.4, 0}, 1, 0.4};
-        const estimate chosen = seen_under(torus, 1 << 16);
-        const estimate by_chance = seen_under(raio::any_solid<number>(torus), 1 << 16);
-        CHECK(std::abs(chosen.mean.x - by_chance.mean.x) < 5 * (chosen.standard_error + by_chance.standard_error));
-        CHECK(chosen.standard_error < by_chance.standard_error);
+}
+
+TEST_CASE("what a map makes of a surface is sampled as densely as it says") {
+    // The mean of f / density over the chosen points is the integral of f over the surface: here of 1, the area, and of
+    // the height, of an ellipsoid of radii 1, 1, 2 (a prolate spheroid), whose middle is at the height of 3.
+    const scene s = read({.objects = "1  0 0  translate 0 3 0  scale 1 1 -2  sphere 0 0 0 1"});
+    const auto surface = std::get<sampled<raio::any_solid<number>>>(s.objects.at(0).shape).sampler();
+    const number e = std::sqrt(0.75), area = 2 * raio::pi<number> * (1 + 2 / e * std::asin(e));
+    number sum = 0, heights = 0;
+    constexpr int n = 1 << 14;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const auto [point, normal] = surface->sample(sampler(2, 0, i).next_2d());
+        const vec3 outward = raio::normalize(vec3(point.x, point.y - 3, point.z / 4));
+        REQUIRE(raio::length(outward - normal) < 1e-12);
+        const number density = surface->density(normal);
+        REQUIRE(surface->density(-normal) == density);
+        sum += 1 / density / n;
+        heights += point.y / density / n;
     }
+    CHECK(sum == doctest::Approx(area).epsilon(1e-3));
+    CHECK(heights == doctest::Approx(3 * area).epsilon(1e-3));
 }
 
 TEST_CASE("a lamp without size lights a matte floor as it does in Whitted's model") {

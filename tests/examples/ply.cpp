@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <string>
@@ -63,6 +64,41 @@ TEST_CASE("a PLY file says the same in text and in bytes of either order") {
     }
     CHECK_FALSE(is_ply("v 0 0 0\n"));
     CHECK_FALSE(is_ply("plywood\n"));
+}
+
+TEST_CASE("lines of a PLY file may end with \\r alone, also before data that begin with \\n") {
+    std::string text = header("ascii") + vertices + "4 0 1 2 3\n";
+    std::ranges::replace(text, '\n', '\r');
+    REQUIRE(is_ply(text));
+    CHECK(parse_ply(text, "test.ply").size() == 2);
+
+    std::string bytes =
+        "ply\rformat binary_little_endian 1.0\relement vertex 3\rproperty uchar x\rproperty uchar y\r"
+        "property uchar z\relement face 1\rproperty list uchar uchar vertex_indices\rend_header\r";
+    bytes += {'\n', 0, 0, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2};
+    CHECK(parse_ply(bytes, "test.ply").at(0).a == vec3(10, 0, 0));
+}
+
+TEST_CASE("strips of triangles turn the same way, -1 ends them, and what is without area is left out") {
+    const auto strip = [&](std::string_view corners) {
+        return parse_ply(joined({"ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                                 "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+                                 "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n",
+                                 corners}),
+                         "test.ply");
+    };
+    const auto area = [](const raio::triangle<double>& t) { return raio::cross(t.b - t.a, t.c - t.a).z; };
+    for (const std::string_view corners : {"4 0 1 2 3", "7 0 1 2 -1 1 3 2", "9 0 0 0 1 2 3 3 3 3", "5 0 0 1 2 3"}) {
+        CAPTURE(corners);
+        const auto triangles = strip(corners);
+        REQUIRE(triangles.size() == 2);
+        CHECK(area(triangles[0]) == (corners.starts_with("5") ? -1 : 1));  // a corner more turns it over
+        CHECK(area(triangles[1]) == area(triangles[0]));
+    }
+    CHECK(error_of([&] { strip("3 0 1 4"); }) ==
+          "test.ply:14: found a corner that is no vertex in the tristrips 0, expected the number of one of the 4 "
+          "vertices before it, from 0");
+    CHECK(error_of([&] { strip("2 0 1"); }) == "test.ply:9: found no face, expected a PLY file with faces");
 }
 
 TEST_CASE("elements that no surface is made of are passed over") {

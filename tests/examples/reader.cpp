@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <locale>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,8 +20,13 @@ template <class Shape>
 Shape only_shape(const std::string& description) {
     const scene s = read({.objects = "1  0 0 " + description});
     REQUIRE(s.objects.size() == 1);
-    REQUIRE(std::holds_alternative<Shape>(s.objects[0].shape));
-    return std::get<Shape>(s.objects[0].shape);
+    // What points can be chosen on is kept as more than Shape says.
+    return std::visit(
+        []<class Kept>(const Kept& kept) -> Shape {
+            if constexpr (std::derived_from<Kept, Shape>) return kept;
+            throw std::runtime_error("another shape");
+        },
+        s.objects[0].shape);
 }
 
 template <class Material>
@@ -94,6 +101,17 @@ TEST_CASE("a material of seven numbers is the course's") {
     CHECK(finish.transmitted == 0.4);
     CHECK(finish.refractive_index == 1.06);
     CHECK(only_material<phong>("1 0 0 0  0 0 0").refractive_index == 0);  // of no meaning where nothing is transmitted
+}
+
+TEST_CASE("lines may end with \\n, \\r\\n or \\r: a comment ends there, and errors count them") {
+    const std::string text = scene_text{.camera = "0 0 5  0 0 0  0 1 0  60  # from the front"}.joined();
+    for (const std::string_view end : {"\n", "\r\n", "\r"}) {
+        std::string lines;
+        for (const char c : text) c == '\n' ? lines += end : lines += c;
+        CHECK(parse_scene(lines, "test.txt", no_files).objects.size() == 1);
+        CHECK_THROWS_WITH(parse_scene(lines + "end", "test.txt", no_files),
+                          doctest::Contains("test.txt:6: found 'end'"));
+    }
 }
 
 TEST_CASE("materials may be given by name") {

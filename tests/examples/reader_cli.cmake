@@ -75,6 +75,58 @@ expect_refusal("no-folder" good.txt -o no-folder/new.png --size 8x6)
 expect_refusal("kept.ppm" good.txt -o kept.ppm/new.png --size 8x6)
 expect_refusal("folder" good.txt -o folder --size 8x6)
 
+# No picture overwrites what it is made of, under whatever name.
+file(WRITE ${FOLDER}/scene.ppm "${good}")
+file(CREATE_LINK scene.ppm ${FOLDER}/link.ppm SYMBOLIC)
+foreach(name IN ITEMS scene.ppm ./scene.ppm link.ppm ${FOLDER}/scene.ppm)
+    expect_refusal("scene.ppm|link.ppm: is a file that the scene is made of" scene.ppm -o ${name} --size 8x6)
+    file(READ ${FOLDER}/scene.ppm scene)
+    if(NOT scene STREQUAL good)
+        message(SEND_ERROR "-o ${name} has overwritten the scene")
+    endif()
+endforeach()
+
+# Where memory runs out, one is told what for. (Sanitizers need more of it themselves.)
+find_program(SH sh)
+execute_process(COMMAND ${SH} -c "ulimit -v 2000000; exec ${RENDER} --help"
+    RESULT_VARIABLE limited OUTPUT_QUIET ERROR_QUIET)
+if(limited STREQUAL "0")
+    execute_process(
+        COMMAND ${SH} -c "ulimit -v 2000000; exec ${RENDER} good.txt -o kept.ppm --size 16384x16384 --threads 1"
+        WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE status ERROR_VARIABLE error TIMEOUT 60)
+    if(NOT (status STREQUAL "2" AND error STREQUAL "raio-render: out of memory for a picture of 16384x16384 pixels\n"))
+        message(SEND_ERROR "Out of memory: status ${status}, standard error ${error}")
+    endif()
+endif()
+
+# A signal ends the work and keeps what there is of it, under the picture's name.
+foreach(signal IN ITEMS "INT 130" "TERM 143")
+    string(REGEX MATCHALL "[^ ]+" signal ${signal})
+    list(GET signal 0 name)
+    list(GET signal 1 expected)
+    # A shell without jobs has what runs in the background ignore SIGINT: so the one that sends it is there.
+    execute_process(
+        COMMAND ${SH} -c "(sleep 3; kill -s ${name} $$) & exec ${RENDER} good.txt -o stopped.ppm --size 64x2000 --samples 2000 --integrator flat --threads 1"
+        WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE status ERROR_VARIABLE error TIMEOUT 60)
+    set(wanted "^raio-render: interrupted; stopped.ppm has [0-9]+ of 2000 rows, and is black where it is not rendered\n$")
+    if(NOT (status STREQUAL expected AND error MATCHES "${wanted}" AND EXISTS ${FOLDER}/stopped.ppm))
+        message(SEND_ERROR "SIG${name}: status ${status}, standard error ${error}")
+    endif()
+    file(REMOVE ${FOLDER}/stopped.ppm)
+endforeach()
+
+# That nothing lights a scene is no mistake, but said.
+string(REPLACE "1 1 0 0 0 0 0 0" "1 0 1 0 0 0 0 0" dark "${good}")
+file(WRITE ${FOLDER}/dark.txt "${dark}")
+render(dark.txt -o dark.ppm --size 8x6)
+if(NOT (status STREQUAL "0" AND error MATCHES "^dark.txt: nothing lights the scene [^\n]+: all is black\n$"))
+    message(SEND_ERROR "A dark scene: status ${status}, standard error ${error}")
+endif()
+render(dark.txt -o dark.ppm --size 8x6 --integrator normals)
+if(NOT (status STREQUAL "0" AND error STREQUAL ""))
+    message(SEND_ERROR "A dark scene's normals: status ${status}, standard error ${error}")
+endif()
+
 # What is right is done, in silence where standard error is no terminal: here the first scene of the README.
 file(READ ${README} readme)
 if(NOT readme MATCHES "```text\n(# first.txt[^`]+)```")

@@ -30,7 +30,7 @@ const std::string shapes =
     "frustum, heightfield, hyperboloid, intersection, mesh, open_algebraic, open_cone, open_cylinder, "
     "open_frustum, open_hyperboloid, open_paraboloid, open_quadric, open_two_sheet_hyperboloid, oriented_box, "
     "paraboloid, parallelogram, plane, polyhedron, prism, pyramid, quadric, regular_solid, ring, round_cone, "
-    "signed_distance, sphere, steiner, surface_of_revolution, teardrop, tetrahedron, torus, triangle, two_sheet_hyperboloid, union";
+    "signed_distance, sphere, steiner, surface_of_revolution, teardrop, tetrahedron, torus, triangle, two_sheet_hyperboloid, union; or a transform: rotate, scale, translate";
 const std::string statements = "the end of the file or a statement: aperture, background, fog, sky";
 
 const bad_scene bad_camera[] = {
@@ -163,6 +163,12 @@ const bad_scene bad_objects[] = {
      "5: found '99999999999999999999', expected the index of a pigment, from 0 to 0"},
     {"no pigment to choose from", {.pigments = "0"}, "5: found '0', expected no object, since there is no pigment"},
     {"an unknown shape", {.objects = "1 0 0 teapot 0 0 0 1"}, "5: found 'teapot', expected " + shapes},
+    {"a misspelt transform",
+     {.objects = "1 0 0 rotat 0 1 0 30 sphere 0 0 0 1"},
+     "5: found 'rotat', expected " + shapes},
+    {"a misspelt transform behind another",
+     {.objects = "1 0 0 scale 1 1 2 rotat 0 1 0 30 sphere 0 0 0 1"},
+     "5: found 'rotat', expected " + shapes},
     {"a shape in capitals", {.objects = "1 0 0 Sphere 0 0 0 1"}, "5: found 'Sphere', expected " + shapes},
     {"radius 0",
      {.objects = "1 0 0 sphere 0 0 0 0"},
@@ -369,12 +375,34 @@ const bad_scene bad_compositions[] = {
      "5: found a shape that stands in more than 100 others, expected fewer"},
 };
 
+const bad_scene web_colors[] = {
+    {"alone",
+     {.pigments = "2 solid #ff0000\nsolid 0 1 0"},
+     "3: found '#ff0000', which begins a comment, expected a number for the colour of a pigment"},
+    {"with the numbers of another one to take",
+     {.pigments = "1 solid #F00 a comment\n0 1 0"},
+     "3: found '#F00', which begins a comment, expected a number for the colour of a pigment"},
+    {"behind a colour",
+     {.pigments = "1 checker 1 1 1 #00ff0080 1\n0 0 0 1"},
+     "3: found '#00ff0080', which begins a comment, expected a number for the second colour of a checker"},
+    {"of a lamp",
+     {.lights = "1  0 9 0  #ffff 1 0 0\n1 1 1  1 0 0"},
+     "2: found '#ffff', which begins a comment, expected a number for the colour of a light"},
+    {"of what shines",
+     {.materials = "1 emissive #ffffff\n1 1 1"},
+     "4: found '#ffffff', which begins a comment, expected a number not below 0 for the radiance of an emissive "
+     "material"},
+};
+
 const bad_scene bad_statements[] = {
     {"a wrong object beyond the count",
      {.statements = "0 0 sphere 0 0 0 1\n0 1 sphere 0 0 0 1"},
      "7: found '1', expected the index of a material, from 0 to 0"},
     {"no object and no statement", {.statements = "-1"}, "6: found '-1', expected " + statements},
     {"an unknown statement", {.statements = "\n\nmist 1 1 1 0"}, "8: found 'mist', expected " + statements},
+    {"a web colour for a background",
+     {.statements = "background #80f\n1 1 1"},
+     "6: found '#80f', which begins a comment, expected a number not below 0 for the colour of the background"},
     {"the background twice",
      {.statements = "background 0 0 0\nbackground 1 1 1"},
      "7: found a second statement that sets the background, expected one at most"},
@@ -435,6 +463,11 @@ TEST_CASE("a wrong count is named with its line") { check(bad_counts); }
 TEST_CASE("a wrong light, pigment or material is named with its line") { check(bad_looks); }
 TEST_CASE("a wrong object is named with its line") { check(bad_objects); }
 TEST_CASE("a wrong transform or combination is named with its line") { check(bad_compositions); }
+TEST_CASE("a web colour is refused, since it begins a comment and other numbers would be taken") { check(web_colors); }
+TEST_CASE("comments of the same look are none where no colour is expected, nor are other words") {
+    const scene s = read({.pigments = "1  #123456\nsolid  #dawn\n 1 0 0  #ff0000", .materials = "1 #fff\nlambertian"});
+    CHECK(std::get<solid>(s.pigments.at(0)).value == color(1, 0, 0));
+}
 TEST_CASE("a wrong statement is named with its line") { check(bad_statements); }
 TEST_CASE("bytes that are no text are shown as text") { check(bad_bytes); }
 

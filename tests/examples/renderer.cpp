@@ -40,6 +40,48 @@ TEST_CASE("every row is reported once") {
     CHECK(rows == 29);
 }
 
+TEST_CASE("what is rendered when it is stopped is kept, and the rest is black") {
+    const scene s = scene_of({{raio::plane<number>{origin, {0, 0, 1}}, color(1), lambertian{}}});
+    const world world(s);
+    for (const int threads : {1, 4}) {
+        std::atomic<int> rows = 0;
+        const film picture = rendered(
+            world, integrator_named("flat"), {.width = 4, .height = 1000, .threads = threads}, [&] { ++rows; },
+            [&] { return rows >= 3; });
+        CHECK(rows >= 3);
+        CHECK(rows < 1000);
+        CHECK(picture.at(3, 0) == color(1));
+        CHECK(picture.at(3, 999) == color(0));
+    }
+}
+
+TEST_CASE("whether anything lights a scene is known before") {
+    const auto lit = [](const scene& s) {
+        std::string by;
+        for (const integrator& i : integrators()) by += i.is_lit(s) ? std::string(i.name) + " " : "";
+        return by;
+    };
+    const auto ball = [](const material& m) { return scene_of({{raio::sphere<number>{origin, 1}, color(1), m}}); };
+    scene dark = ball(phong{.diffuse = 1});
+    CHECK(lit(dark) == "flat normals ");
+    CHECK(lit(ball(emissive{color(0)})) == "flat normals whitted ");
+    CHECK(lit(ball(lambertian{})) == "flat normals whitted ");  // Phong's model has it glow a little by itself
+    CHECK(lit(ball(emissive{color(0, 0, 1)})) == "flat normals whitted path ");
+    CHECK(lit(ball(phong{.ambient = 1})) == "flat normals whitted path ");
+    dark.lights.push_back({{0, 4, -3}, color(0), {1, 0, 0}});
+    CHECK(lit(dark) == "flat normals ");
+    dark.lights[0].intensity = color(1);
+    CHECK(lit(dark) == "flat normals whitted path ");
+    dark.lights.clear();
+    dark.fog = {color(1), 0};
+    CHECK(lit(dark) == "flat normals ");
+    dark.fog.density = 1;
+    CHECK(lit(dark) == "flat normals whitted path ");
+    dark.fog = {};
+    dark.background.top = color(1);
+    CHECK(lit(dark) == "flat normals whitted path ");
+}
+
 TEST_CASE("a pixel with one sample shows its corner, through the middle of the lens") {
     scene s = scene_of({{raio::sphere<number>{origin, 1}, color(1), lambertian{}}});
     s.camera.aperture = 0.5;

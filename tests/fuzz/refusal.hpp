@@ -47,9 +47,10 @@ void check_read_or_refused(std::string_view file, std::size_t bytes, Read read) 
         if (!holds) std::abort();
     };
     try {
-        // A face of eight bytes, "f 1 2 3" and its end, makes a triangle of nine doubles, and a vector that grows
-        // holds the old ones and room for twice as many: 27 times. An error's words and one object are what is fixed.
-        const memory_limit limit(16'384 + 64 * bytes);
+        // A corner of two bytes, "1 ", makes a triangle of nine doubles, and a vector that grows holds the old ones and
+        // room for twice as many: 108 bytes for each. Where the face is cut, what knows its corners takes up to 82
+        // more. An error's words and one object are what is fixed.
+        const memory_limit limit(16'384 + 200 * bytes);
         read();
     } catch (const render::scene_error& error) {
         const std::string_view message = error.what();
