@@ -9,6 +9,13 @@ template <real T>
 struct ray {
     vec3<T> origin;
     vec3<T> direction;  ///< need not be unit: t counts in lengths of it
+
+    /// The point at t, rounded once or twice. (A record's `point` is found with more digits of t than `t` has, and its
+    /// `error` says how far off it may be.)
+    RAIO_FN constexpr vec3<T> at(const T& t) const {
+        using W = wider_t<T>;
+        return vec3<T>(sum_as<W>(origin, product_as<W>(direction, t)));
+    }
 };
 
 }  // namespace raio

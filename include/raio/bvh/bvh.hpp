@@ -35,11 +35,15 @@ public:
 
     bvh() = default;
 
+    /// \param shapes  any range that stands in one piece: a vector, an array, a span, or a list in braces
     /// \throws std::invalid_argument  for a shape that is infinite or not a number, named by its index
     /// \throws std::length_error      for more than 2^27 shapes
     explicit bvh(std::span<const P> shapes, const bvh_options& options = {}) requires(sizeof...(Rest) == 0) {
         tree_.build(std::tuple(shapes), options);
     }
+    template <std::size_t N>
+    explicit bvh(const P (&shapes)[N], const bvh_options& options = {}) requires(sizeof...(Rest) == 0)
+        : bvh(std::span<const P>(shapes), options) {}
 
     /// \throws  the same
     template <class... Members>
@@ -312,8 +316,10 @@ private:
     detail::assembled<P, Rest...> tree_;
 };
 
-template <class P>
-bvh(const std::vector<P>&, const bvh_options& = {}) -> bvh<P>;
+template <std::ranges::contiguous_range Shapes>
+bvh(const Shapes&, const bvh_options& = {}) -> bvh<std::ranges::range_value_t<Shapes>>;
+template <class P, std::size_t N>
+bvh(const P (&)[N], const bvh_options& = {}) -> bvh<P>;  // which a list in braces is as well
 template <real T>
 bvh(const mesh<T>&, const bvh_options& = {}) -> bvh<triangle<T>>;
 template <class... Members>

@@ -15,6 +15,7 @@ namespace raio {
 ///
 ///     raio::transformed{raio::sphere<float>{{0, 0, 0}, 1}, raio::scaling<float>({1, 2, 3})}    // an ellipsoid
 ///     raio::transformed{&mesh, map}    // an instance: the mesh is shared, and has to live longer
+///     raio::transformed{box, glm::rotate(glm::mat4(1), 0.5f, {0, 1, 0})}    // a map as GLM makes it
 template <holder Primitive>
 class transformed {
     using P = detail::held_t<Primitive>;
