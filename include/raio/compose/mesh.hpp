@@ -35,18 +35,13 @@ struct mesh {
 
     template <record Record>
     mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
-        bool found = false;
-        hit_record<T> nearest;
-        for (std::size_t i = 0; i < size(); ++i) {
-            hit_record<T> candidate;
-            if (!(*this)[i].hit(ray, t_min, found ? nearest.t : t_max, candidate)) continue;
-            if (found && !(candidate.t < nearest.t)) continue;
-            nearest = candidate;
-            nearest.index = static_cast<std::uint32_t>(i);
-            found = true;
+        if constexpr (!detail::keeps_t<Record, T>) {
+            return detail::hit_in_between(*this, ray, t_min, t_max, rec);
+        } else {
+            return detail::hit_nearest(ray, t_min, t_max, rec, [&](auto visit) {
+                for (std::size_t i = 0; i < size(); ++i) visit((*this)[i]);
+            });
         }
-        if (found) assign(rec, nearest);
-        return found;
     }
 
     mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
