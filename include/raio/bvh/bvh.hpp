@@ -316,6 +316,14 @@ private:
     detail::assembled<P, Rest...> tree_;
 };
 
+/// Is the point inside of a closed surface, or on it? What is asked of a mesh, of its tree.
+template <bounded P, bounded... Rest>
+requires(!solid<bvh<P, Rest...>>) bool contains(const bvh<P, Rest...>& closed, const vec3<number_t<P>>& point) {
+    using T = number_t<P>;
+    return detail::is_inside_surface<T>(point,
+                                        [&](const ray<T>& ray) { return closed.all_hits(ray, T(0), infinity<T>); });
+}
+
 template <std::ranges::contiguous_range Shapes>
 bvh(const Shapes&, const bvh_options& = {}) -> bvh<std::ranges::range_value_t<Shapes>>;
 template <class P, std::size_t N>

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <raio/compose/contains.hpp>
 #include <raio/number/simd.hpp>
 #include <raio/shape/triangle.hpp>
 
@@ -91,6 +92,22 @@ private:
         return of[a] * (T(1) - rec.uv.x - rec.uv.y) + of[b] * rec.uv.x + of[c] * rec.uv.y;
     }
 };
+
+/// Is the point inside of a closed mesh, or on it? The fronts may be inside or outside, if neighbours agree. As exact
+/// as a ray from there: by whether it crosses an odd number of times, where an edge that triangles share is one
+/// crossing.
+template <real T>
+bool contains(const mesh<T>& closed, const vec3<T>& point) {
+    return detail::is_inside_surface<T>(point, [&](const ray<T>& ray) {
+        std::vector<hit_record<T>> hits;
+        for (std::size_t i = 0; i < closed.size(); ++i) {
+            hit_record<T> rec;
+            if (closed[i].hit(ray, T(0), infinity<T>, rec)) hits.push_back(rec);
+        }
+        std::ranges::sort(hits, {}, &hit_record<T>::t);
+        return hits;
+    });
+}
 
 /// One triangle of a mesh, by its number; the mesh has to live longer. A tree of these, `bvh<mesh_triangle<T>>(mesh)`,
 /// leaves the corners in the mesh: it takes less memory than one that has copied them, and more time.
