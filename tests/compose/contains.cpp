@@ -4,7 +4,6 @@
 
 #include <raio/raio.hpp>
 
-#include "support/meshes.hpp"
 #include "support/oracle.hpp"
 #include "support/random.hpp"
 
