@@ -5,7 +5,6 @@
 
 #include <raio/bvh/bvh.hpp>
 #include <raio/compose/any_primitive.hpp>
-#include <raio/compose/contains.hpp>
 #include <raio/compose/csg.hpp>
 #include <raio/compose/group.hpp>
 #include <raio/compose/in_lanes.hpp>

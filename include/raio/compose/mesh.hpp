@@ -1,12 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <raio/compose/contains.hpp>
 #include <raio/number/simd.hpp>
 #include <raio/shape/triangle.hpp>
 
@@ -92,6 +94,43 @@ private:
         return of[a] * (T(1) - rec.uv.x - rec.uv.y) + of[b] * rec.uv.x + of[c] * rec.uv.y;
     }
 };
+
+namespace detail {
+
+/// Is the point inside from which a ray has met a closed surface there? Each passage is counted once: at an edge or a
+/// vertex all faces that share it are met at one t. Nothing, if it is not known what happens at a vertex.
+/// \param hits  all of them, sorted by t; on the surface is inside as well
+/// \param last  says something in any case
+template <class T>
+std::optional<bool> is_inside(std::span<const hit_record<T>> hits, bool last) {
+    bool inside = false;
+    for (auto next = hits.begin(); next != hits.end();) {
+        const auto end = std::find_if(next, hits.end(), [&](const auto& rec) { return rec.t != next->t; });
+        const auto fronts = std::count_if(next, end, [](const auto& rec) { return rec.front_face; });
+        const auto backs = end - next - fronts;
+        if (next->t == T(0)) return true;
+        if (fronts == 0 || backs == 0 || (last && fronts != backs)) {
+            inside = !inside;
+        } else if (!last && (fronts > 1 || backs > 1)) {
+            return std::nullopt;
+        }  // an edge that is touched, or a wall that is thinner than t tells
+        next = end;
+    }
+    return inside;
+}
+
+/// The same of a surface. Where one ray meets vertices and leaves it open, another is asked.
+/// \param all_hits  answers with those of a ray, sorted by t
+template <class T, class AllHits>
+bool is_inside_surface(const vec3<T>& point, AllHits all_hits) {
+    for (const vec3<T>& direction : any_directions<T>) {
+        const std::vector<hit_record<T>> hits = all_hits(ray<T>{point, direction});
+        if (const auto inside = is_inside<T>(hits, &direction == &any_directions<T>.back())) return *inside;
+    }
+    return false;
+}
+
+}  // namespace detail
 
 /// Is the point inside of a closed mesh, or on it? The fronts may be inside or outside, if neighbours agree. As exact
 /// as a ray from there: by whether it crosses an odd number of times, where an edge that triangles share is one

@@ -1,5 +1,3 @@
-#include <raio/compose/contains.hpp>
-
 #include <doctest/doctest.h>
 
 #include <raio/raio.hpp>
@@ -121,6 +119,6 @@ TEST_CASE_TEMPLATE("contains: a point beside the surface of a mesh", T, RAIO_NUM
     CHECK(!contains(mesh<T>{}, {0, 0, 0}));
 }
 
-static_assert(contains(sphere<double>{{0, 0, 0}, 1}, {0.5, 0, 0}));
+static_assert(contains(box<double>{{0, 0, 0}, {1, 1, 1}}, {0.5, 0, 0}));
 
 }  // namespace raio::test
