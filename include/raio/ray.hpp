@@ -18,4 +18,11 @@ struct ray {
     }
 };
 
+/// A ray at a moment, for shapes that move. Whatever is derived from a ray goes as it is to shapes that have a template
+/// `hit` of their own, through groups, trees, maps and CSG.
+template <real T>
+struct timed_ray : ray<T> {
+    T time;
+};
+
 }  // namespace raio

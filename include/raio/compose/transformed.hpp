@@ -37,7 +37,7 @@ public:
         if constexpr (detail::has_lanes<T>) {
             return detail::first_hit_in_lanes(*this, ray, t_min, t_max, rec);
         } else {
-            return detail::hit(primitive(), mapped_ray<T>(ray, inverse_), t_min, t_max, rec);
+            return detail::hit(primitive(), detail::mapped(ray, inverse_), t_min, t_max, rec);
         }
     }
 
@@ -46,7 +46,7 @@ public:
         if constexpr (detail::has_lanes<T>) {
             return detail::any_hit_in_lanes(*this, ray, t_min, t_max);
         } else {
-            return detail::occluded(primitive(), mapped_ray<T>(ray, inverse_), t_min, t_max);
+            return detail::occluded(primitive(), detail::mapped(ray, inverse_), t_min, t_max);
         }
     }
 
@@ -55,7 +55,7 @@ public:
         if constexpr (detail::has_lanes<T>) {
             return detail::spans_in_lanes(*this, ray);
         } else {
-            return detail::spans_of(primitive(), mapped_ray<T>(ray, inverse_));
+            return detail::spans_of(primitive(), detail::mapped(ray, inverse_));
         }
     }
 
