@@ -161,6 +161,59 @@ TEST_CASE_TEMPLATE("indices: the way to the shape, from the outermost (an instan
     check(bvh<mesh_triangle<T>>(own), {1, 0, 0});
 }
 
+/// What raio knows nothing of but what it answers.
+struct object {
+    virtual ~object() = default;
+    virtual bool intersect(const ray<double>& ray, double t_min, double t_max, double& t) const = 0;
+};
+struct wall : object {
+    double z;
+
+    explicit wall(double at) : z(at) {}
+    bool intersect(const ray<double>& ray, double t_min, double t_max, double& t) const override {
+        const double found = (z - ray.origin.z) / ray.direction.z;
+        const vec3<double> p = ray.at(found);
+        if (!(found >= t_min && found <= t_max && std::abs(p.x) <= 1 && std::abs(p.y) <= 1)) return false;
+        return t = found, true;
+    }
+};
+struct any_object {
+    using number = double;
+    const object* of;
+    double z;
+
+    template <record Record>
+    bool hit(const ray<double>& ray, double t_min, double t_max, Record& rec) const {
+        return of->intersect(ray, t_min, t_max, rec.t);
+    }
+    bool occluded(const ray<double>& ray, double t_min, double t_max) const {
+        double t;
+        return of->intersect(ray, t_min, t_max, t);
+    }
+    aabb<double> bounds() const { return {{-1, -1, z}, {1, 1, z}}; }
+};
+
+TEST_CASE("data of one's own: a tree over a program's objects behind a virtual call") {
+    std::vector<std::unique_ptr<object>> owned;
+    std::vector<any_object> objects;
+    for (int i = 0; i < 50; ++i) {
+        owned.push_back(std::make_unique<wall>(i));
+        objects.push_back({owned.back().get(), static_cast<double>(i)});
+    }
+    const bvh tree(objects);
+    struct {
+        double t;
+        std::size_t index;
+    } rec;
+    REQUIRE(tree.hit({{0.5, 0.5, 7.5}, {0, 0, 0.5}}, 0, infinity<double>, rec));
+    CHECK((rec.t == 1 && rec.index == 8));
+    CHECK(!tree.occluded({{0.5, 0.5, 7.5}, {0, 0, 0.5}}, 0, 0.5));
+    CHECK(!tree.hit({{1.5, 0.5, 7.5}, {0, 0, 0.5}}, 0, infinity<double>, rec));
+    const std::vector<sphere<double>> balls{{{0, 0, 60}, 1}};
+    REQUIRE(bvh{group{balls, objects}}.hit({{0.5, 0.5, 99}, {0, 0, -1}}, 0, infinity<double>, rec));
+    CHECK((rec.index == 0 && rec.t < 40));
+}
+
 TEST_CASE_TEMPLATE("data of one's own: tree and loop agree on equally near ones, the first of them", T, RAIO_NUMBERS) {
     const ball<T> a{{{0, 0, 0}, 1}, 3};
     std::vector<ball<T>> same(20, a);
