@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include <raio/proof/settle.hpp>
 
 /// \file
@@ -182,14 +180,6 @@ RAIO_FN constexpr auto spans_of(const P& shape, const Ray& ray) {
     }
 }
 
-/// Rays along none of the axes, diagonals or other directions that shapes are made of.
-template <class T>
-inline constexpr std::array<vec3<T>, 8> any_directions{
-    vec3<T>(T(0.5547), T(0.7193), T(0.4181)),   vec3<T>(T(-0.6121), T(0.3517), T(0.7083)),
-    vec3<T>(T(0.2399), T(-0.8363), T(0.4931)),  vec3<T>(T(0.7687), T(0.1451), T(-0.6229)),
-    vec3<T>(T(-0.3307), T(-0.5813), T(-0.744)), vec3<T>(T(-0.8839), T(0.4217), T(-0.2027)),
-    vec3<T>(T(0.1153), T(0.9433), T(-0.3121)),  vec3<T>(T(0.4729), T(-0.3911), T(0.7897))};
-
 }  // namespace detail
 
 /// Is the point in the solid, or on its surface? As exact as a ray from there. (There is `contains` of closed meshes
@@ -197,7 +187,10 @@ inline constexpr std::array<vec3<T>, 8> any_directions{
 template <solid P>
 RAIO_FN constexpr mask_t<number_t<P>> contains(const P& shape, const vec3<number_t<P>>& point) {
     using T = number_t<P>;
-    return detail::spans_of(shape, ray<T>{point, vec3<T>(detail::any_directions<scalar_t<T>>[0])}).contains(T(0));
+    const auto number = [](double x) { return T(static_cast<scalar_t<T>>(x)); };
+    // Along none of the axes, diagonals or other directions that shapes are made of.
+    const vec3<T> direction(number(0.5547), number(0.7193), number(0.4181));
+    return detail::spans_of(shape, ray<T>{point, direction}).contains(T(0));
 }
 
 }  // namespace raio
