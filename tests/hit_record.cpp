@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include <raio/shape/disc.hpp>
+#include <raio/shape/sphere.hpp>
 
 #include "support/random.hpp"
 
@@ -60,6 +61,30 @@ TEST_CASE_TEMPLATE("spawn_ray: a layer 4e-5 behind another is not skipped", T, R
     CHECK(!front.occluded(spawned, T(0), infinity<T>));
     REQUIRE(behind.hit(spawned, T(0), infinity<T>, next));
     CHECK(next.t == doctest::Approx(4e-5).epsilon(0.05));
+}
+
+TEST_CASE_TEMPLATE("after, before: the next number", T, RAIO_NUMBERS) {
+    constexpr T most = std::numeric_limits<T>::max(), least = std::numeric_limits<T>::denorm_min();
+    for (const T t : {T(0), T(1), T(-1), T(5000), most, -most, least, -least, std::numeric_limits<T>::min()}) {
+        CHECK(after(t) == std::nextafter(t, infinity<T>));
+        CHECK(before(t) == std::nextafter(t, -infinity<T>));
+    }
+    CHECK((after(infinity<T>) == infinity<T> && before(infinity<T>) == most));
+    CHECK((after(-infinity<T>) == -most && before(-infinity<T>) == -infinity<T>));
+    const T none = std::numeric_limits<T>::quiet_NaN();
+    CHECK((after(none) != after(none) && before(none) != before(none)));
+    static_assert(before(after(T(3))) == 3);
+}
+
+TEST_CASE_TEMPLATE("after: the next crossing, where an epsilon is nothing beside t", T, RAIO_NUMBERS) {
+    const sphere<T> far{{0, 0, -5000}, 1};
+    const ray<T> ray{{0, 0, 0}, {0, 0, -1}};
+    hit_record<T> rec;
+    REQUIRE(far.hit(ray, 0, infinity<T>, rec));
+    CHECK(rec.t == 4999);
+    REQUIRE(far.hit(ray, after(rec.t), infinity<T>, rec));
+    CHECK(rec.t == 5001);
+    CHECK(!far.hit(ray, after(rec.t), infinity<T>, rec));
 }
 
 TEST_CASE_TEMPLATE("assign: takes over all or nothing", T, RAIO_NUMBERS) {

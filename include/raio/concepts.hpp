@@ -130,6 +130,34 @@ RAIO_FN constexpr mask_t<T> hit_in_between(const P& shape, const Ray& ray, T t_m
     return true;
 }
 
+/// `hit` of several primitives, one after the other: the nearest is hit, and of equally near ones the first.
+/// \param for_each  calls what it is given with one primitive after the other
+template <class Ray, real T, record Record, class ForEach>
+RAIO_FN constexpr mask_t<T> hit_nearest(const Ray& ray, T t_min, T t_max, Record& rec, ForEach for_each) {
+    mask_t<T> found = !(T(0) == T(0));
+    index_t<T> index{};
+    for_each([&](const auto& primitive) {
+        if constexpr (std::floating_point<T>) {
+            // What is nearer than all before goes straight into the record: a miss writes nothing.
+            if (hit(primitive, ray, t_min, t_max, rec)) {
+                put_index(rec, index);
+                t_max = before(rec.t);
+                found = true;
+            }
+        } else {
+            Record candidate;
+            const mask_t<T> met = hit(primitive, ray, t_min, select(found, rec.t, t_max), candidate);
+            const mask_t<T> nearer = met && (!found || candidate.t < rec.t);
+            put_index(candidate, index);
+            if (any(nearer)) assign(nearer, rec, candidate);
+            found = found || nearer;
+        }
+        index = index + index_t<T>(1);
+        return true;
+    });
+    return found;
+}
+
 template <primitive P, class Ray>
 RAIO_FN constexpr mask_t<number_t<P>> occluded(const P& shape, const Ray& ray, number_t<P> t_min, number_t<P> t_max) {
     if constexpr (requires { shape.occluded(ray, t_min, t_max); }) {
@@ -153,5 +181,16 @@ RAIO_FN constexpr auto spans_of(const P& shape, const Ray& ray) {
 }
 
 }  // namespace detail
+
+/// Is the point in the solid, or on its surface? As exact as a ray from there. (There is `contains` of closed meshes
+/// and their trees as well.)
+template <solid P>
+RAIO_FN constexpr mask_t<number_t<P>> contains(const P& shape, const vec3<number_t<P>>& point) {
+    using T = number_t<P>;
+    const auto number = [](double x) { return T(static_cast<scalar_t<T>>(x)); };
+    // Along none of the axes, diagonals or other directions that shapes are made of.
+    const vec3<T> direction(number(0.5547), number(0.7193), number(0.4181));
+    return detail::spans_of(shape, ray<T>{point, direction}).contains(T(0));
+}
 
 }  // namespace raio

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <bit>
+#include <iterator>
+
 #include <raio/aabb.hpp>
 #include <raio/ray.hpp>
 
@@ -8,7 +11,12 @@ namespace raio {
 /// Everything about the place where a ray met a shape. It has no values until something is hit.
 ///
 /// What a program has no use for it need not pay for: `hit` fills any struct that has a `t`, and of the other members
-/// those that the struct has, in the types that they have there.
+/// those that the struct has, in the types that they have there. What else a struct has goes along: a shape with a
+/// `hit` of its own finds there what the caller has put, and what it puts there comes back, through groups and trees as
+/// well. (A member that only some shapes write is that of the last one met on the way, as in a plain loop.)
+///
+/// A struct that has `indices`, an array of numbers, is given the way to the shape: first which member of the outermost
+/// aggregate was hit, then which member of that, and so on; zeros behind the last.
 template <real T>
 struct hit_record {
     T t;                   ///< ray parameter, in lengths of the ray's direction
@@ -42,6 +50,11 @@ concept has_index = requires(Record& rec) {
     rec.index;
 };
 template <class Record>
+concept has_indices = requires(Record& rec) {
+    rec.indices[0];
+    std::size(rec.indices);
+};
+template <class Record>
 concept has_front_face = requires(Record& rec) {
     rec.front_face;
 };
@@ -65,6 +78,37 @@ RAIO_FN constexpr void put(To& to, const From& from) {
 }
 
 }  // namespace detail
+
+namespace detail {
+
+/// Says which member of an aggregate was hit, in the record that the member has filled.
+template <record Record, class Index>
+RAIO_FN constexpr void put_index(Record& rec, const Index& index) {
+    if constexpr (has_index<Record>) put(rec.index, index);
+    if constexpr (has_indices<Record>) {
+        for (std::size_t k = std::size(rec.indices); --k > 0;) rec.indices[k] = rec.indices[k - 1];
+        put(rec.indices[0], index);
+    }
+}
+
+}  // namespace detail
+
+/// The next number above t. The window of `hit` is closed, so that `shape.hit(ray, after(rec.t), t_max, rec)` finds the
+/// next crossing of the same ray; `rec.t + epsilon` is rec.t again where that is large.
+template <std::floating_point T>
+RAIO_FN constexpr T after(T t) {
+    using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    static_assert(sizeof(T) == sizeof(bits));
+    if (!(t < std::numeric_limits<T>::infinity())) return t;
+    if (t == T(0)) return std::numeric_limits<T>::denorm_min();
+    const bits b = std::bit_cast<bits>(t);
+    return std::bit_cast<T>(t > T(0) ? b + 1 : b - 1);
+}
+/// The next number below t.
+template <std::floating_point T>
+RAIO_FN constexpr T before(T t) {
+    return -after(-t);
+}
 
 /// The nearest that T can say to a point beyond its largest number.
 template <real T>
@@ -91,6 +135,9 @@ RAIO_FN constexpr void assign(const Mask& mask, Record& to, const Record& from) 
     if constexpr (has_uv<Record>) take(to.uv, from.uv);
     if constexpr (has_error<Record>) take(to.error, from.error);
     if constexpr (has_index<Record>) take(to.index, from.index);
+    if constexpr (has_indices<Record>) {
+        for (std::size_t k = 0; k < std::size(to.indices); ++k) take(to.indices[k], from.indices[k]);
+    }
     if constexpr (has_front_face<Record>) take(to.front_face, from.front_face);
 }
 
@@ -103,6 +150,10 @@ RAIO_FN constexpr void assign(Record& to, const hit_record<T>& from) {
     if constexpr (has_uv<Record>) detail::put(to.uv, from.uv);
     if constexpr (has_error<Record>) detail::put(to.error, from.error);
     if constexpr (has_index<Record>) detail::put(to.index, from.index);
+    if constexpr (has_indices<Record>) {
+        for (auto& index : to.indices) detail::put(index, index_t<T>{});
+        detail::put(to.indices[0], from.index);
+    }
     if constexpr (has_front_face<Record>) detail::put(to.front_face, from.front_face);
 }
 

@@ -9,6 +9,7 @@
 #include <raio/compose/group.hpp>
 #include <raio/compose/in_lanes.hpp>
 #include <raio/compose/mesh.hpp>
+#include <raio/compose/moving.hpp>
 #include <raio/compose/quick.hpp>
 #include <raio/compose/transformed.hpp>
 #include <raio/number/simd.hpp>

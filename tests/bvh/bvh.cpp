@@ -85,6 +85,40 @@ TEST_CASE_TEMPLATE("bvh: few shapes, one, or none", T, RAIO_NUMBERS) {
     CHECK(!none.bounds().contains({0, 0, 0}));
 }
 
+TEST_CASE_TEMPLATE("bvh: from whatever range stands in one piece", T, RAIO_NUMBERS) {
+    const sphere<T> a{{0, 0, 0}, 1}, b{{5, 0, 0}, 2};
+    const std::vector<sphere<T>> shapes{a, b};
+    const auto check = [&]<class Tree>(const Tree& tree) {
+        static_assert(std::same_as<Tree, bvh<sphere<T>>>);
+        hit_record<T> rec;
+        CHECK(tree.bounds().max == bvh(shapes).bounds().max);
+        REQUIRE(tree.hit({{5, 0, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
+        CHECK((rec.t == 7 && rec.index == 1));
+    };
+    const sphere<T> array[]{a, b};
+    sphere<T> unlocked[]{a, b};
+    std::vector<sphere<T>> vector{a, b};
+    const std::initializer_list<sphere<T>> list{a, b};
+    check(bvh(shapes));
+    check(bvh(vector));
+    check(bvh(array));
+    check(bvh(unlocked));
+    check(bvh(std::array{a, b}));
+    check(bvh(std::span(shapes)));
+    check(bvh(std::span(unlocked)));
+    check(bvh(std::span<const sphere<T>, 2>(array)));
+    check(bvh(list));
+    check(bvh({a, b}));
+    check(bvh{{a, b}});
+    check(bvh({a, b}, {.quality = bvh_quality::low}));
+    check(bvh<sphere<T>>({a, b}));
+    check(bvh<sphere<T>>({sphere<T>{{0, 0, 0}, 1}, {{5, 0, 0}, 2}}));
+    check(bvh<sphere<T>>(vector, {.quality = bvh_quality::low}));
+    // A single primitive in braces is not one of a list.
+    static_assert(std::same_as<decltype(bvh{group{shapes, array[0]}}), bvh<sphere<T>, sphere<T>>>);
+    static_assert(std::same_as<decltype(bvh{mesh<T>{}}), bvh<triangle<T>>>);
+}
+
 TEST_CASE_TEMPLATE("bvh: numbers far from 1", T, RAIO_NUMBERS) {
     random_numbers random(14);
     std::vector<sphere<T>> shapes = random_shapes<sphere<T>>(random, 200);

@@ -43,6 +43,7 @@ struct known_mark {
 template <class Number>
 struct leaves_of_marks {
     using T = Number;
+    using shape_type = known_mark<T>;
     static constexpr std::size_t lanes = 4;
 
     std::vector<std::vector<known_mark<T>>> leaves;

@@ -5,6 +5,8 @@
 #include <raio/compose/group.hpp>
 #include <raio/shape/box.hpp>
 
+#include <glm/mat4x4.hpp>
+
 #include "support/bounds.hpp"
 #include "support/cases.hpp"
 #include "support/linear_inverse.hpp"
@@ -204,6 +206,17 @@ TEST_CASE_TEMPLATE("transformed: an instance shares its primitive", T, RAIO_NUMB
     const group pair{by_pointer, transformed{&own, scaling<T>({3, 3, 3})}};
     const transformed both{&pair, map};
     CHECK((bounded<decltype(both)> && both.bounds().min.x < 0));
+}
+
+TEST_CASE_TEMPLATE("transformed: by a matrix of GLM's", T, RAIO_NUMBERS) {
+    glm::mat<4, 4, T> matrix(1);
+    matrix[3] = {1, 2, 3, 1}, matrix[0][0] = 2;
+    const transformed stretched{sphere<T>{{0, 0, 0}, 1}, matrix};
+    hit_record<T> rec;
+    REQUIRE(stretched.hit({{9, 2, 3}, {-1, 0, 0}}, T(0), infinity<T>, rec));
+    CHECK(rec.t == 6);
+    matrix[1][3] = 1;
+    CHECK_THROWS_AS((transformed{sphere<T>{{0, 0, 0}, 1}, matrix}), std::invalid_argument);
 }
 
 TEST_CASE_TEMPLATE("transformed: maps one after the other are their product", T, RAIO_NUMBERS) {

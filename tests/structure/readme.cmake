@@ -1,6 +1,6 @@
 # cmake -D ROOT=<checkout> -D HELLO=<program> -P readme.cmake
-# The README's program is examples/hello.cpp, letter by letter, it prints what the README says, and every file that the
-# README links to is there.
+# The README's program is examples/hello.cpp, letter by letter, it prints what the README says, the next is a part of
+# examples/path_tracer.cpp, and every file that the README links to is there.
 cmake_minimum_required(VERSION 3.25)
 
 file(READ ${ROOT}/README.md readme)
@@ -16,6 +16,16 @@ execute_process(COMMAND ${HELLO} OUTPUT_VARIABLE output OUTPUT_STRIP_TRAILING_WH
 string(FIND "${readme}" "`${output}`" same)
 if(output STREQUAL "" OR same EQUAL -1)
     message(SEND_ERROR "examples/hello.cpp prints \"${output}\", README.md says otherwise")
+endif()
+
+# The second program is a part of another.
+file(READ ${ROOT}/examples/path_tracer.cpp path_tracer)
+string(FIND "${readme}" "```cpp\n// The light" begin)
+string(SUBSTRING "${readme}" ${begin} -1 part)
+string(REGEX REPLACE "^```cpp\n([^`]*)```.*" "\\1" part "${part}")
+string(FIND "${path_tracer}" "\n${part}" found)
+if(begin EQUAL -1 OR found EQUAL -1)
+    message(SEND_ERROR "what README.md shows of examples/path_tracer.cpp is not there")
 endif()
 
 string(REPLACE "](" "link(" readme "${readme}")  # a lone bracket would glue list elements together

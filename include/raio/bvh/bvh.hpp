@@ -35,11 +35,15 @@ public:
 
     bvh() = default;
 
+    /// \param shapes  any range that stands in one piece: a vector, an array, a span, or a list in braces
     /// \throws std::invalid_argument  for a shape that is infinite or not a number, named by its index
     /// \throws std::length_error      for more than 2^27 shapes
     explicit bvh(std::span<const P> shapes, const bvh_options& options = {}) requires(sizeof...(Rest) == 0) {
         tree_.build(std::tuple(shapes), options);
     }
+    template <std::size_t N>
+    explicit bvh(const P (&shapes)[N], const bvh_options& options = {}) requires(sizeof...(Rest) == 0)
+        : bvh(std::span<const P>(shapes), options) {}
 
     /// \throws  the same
     template <class... Members>
@@ -312,8 +316,18 @@ private:
     detail::assembled<P, Rest...> tree_;
 };
 
-template <class P>
-bvh(const std::vector<P>&, const bvh_options& = {}) -> bvh<P>;
+/// Is the point inside of a closed surface, or on it? What is asked of a mesh, of its tree.
+template <bounded P, bounded... Rest>
+requires(!solid<bvh<P, Rest...>>) bool contains(const bvh<P, Rest...>& closed, const vec3<number_t<P>>& point) {
+    using T = number_t<P>;
+    return detail::is_inside_surface<T>(point,
+                                        [&](const ray<T>& ray) { return closed.all_hits(ray, T(0), infinity<T>); });
+}
+
+template <std::ranges::contiguous_range Shapes>
+bvh(const Shapes&, const bvh_options& = {}) -> bvh<std::ranges::range_value_t<Shapes>>;
+template <class P, std::size_t N>
+bvh(const P (&)[N], const bvh_options& = {}) -> bvh<P>;  // which a list in braces is as well
 template <real T>
 bvh(const mesh<T>&, const bvh_options& = {}) -> bvh<triangle<T>>;
 template <class... Members>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 
@@ -75,7 +74,7 @@ void for_each_crossing(const Shape& shape, const ray<T>& ray, T t_min, T t_max, 
     while (shape.hit(ray, t_min, t_max, rec)) {
         rec.index = index;
         if (!visit(rec)) return;
-        t_min = std::nextafter(rec.t, infinity<T>);
+        t_min = after(rec.t);
     }
 }
 

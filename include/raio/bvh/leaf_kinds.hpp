@@ -65,19 +65,14 @@ public:
                 detail::hit(shape, ray, t_min, t_max, rec);
             }
         });
-        if constexpr (has_index<Record>) put(rec.index, at.id);
+        put_index(rec, at.id);
     }
 
     /// `hit` of the shape at that place.
-    template <class Ray, class T, record Record>
+    template <std::size_t Kind, class Ray, class T, record Record>
     bool hit(const place_in_leaves& at, const Ray& ray, T t_min, T t_max, Record& rec) const {
-        bool met = false;
-        with_kind(static_cast<std::uint32_t>(at.kind), [&](auto kind) {
-            met = detail::hit(std::get<kind()>(all).shape(at.block, at.lane), ray, t_min, t_max, rec);
-        });
-        if constexpr (has_index<Record>) {
-            if (met) put(rec.index, at.id);
-        }
+        const bool met = detail::hit(std::get<Kind>(all).shape(at.block, at.lane), ray, t_min, t_max, rec);
+        if (met) put_index(rec, at.id);
         return met;
     }
 

@@ -28,7 +28,7 @@ public:
             // Nobody knows but the plain shapes. They are asked at once: what is found shortens the way.
             auto found = leaves_.template find<Kind>(block, ray_, t_min_, high_);
             for (; found.open != 0; found.open &= found.open - 1) {
-                settle(leaves_.template place<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open))));
+                ask<Kind>(leaves_.template place<Kind>(block, static_cast<unsigned>(std::countr_zero(found.open))));
             }
         }
     }
@@ -61,7 +61,7 @@ public:
     /// Takes in what it records.
     void take_in(const Record& found) {
         rec_ = found;
-        if constexpr (has_index<Record>) put(rec_.index, at_.id);
+        put_index(rec_, at_.id);
         exact_ = true;
         low_ = high_ = rec_.t;
     }
@@ -103,19 +103,36 @@ private:
 
     /// Asks the plain shapes of all lanes that wait.
     [[gnu::noinline]] void settle_open() {
-        for (std::size_t i = 0; i < open_count_; ++i) settle(open_[i]);
+        for (std::size_t i = 0; i < open_count_; ++i) {
+            Leaves::with_kind(static_cast<std::uint32_t>(open_[i].kind), [&](auto kind) {
+                if constexpr (Leaves::template filters<kind(), Ray>) settle<kind()>(open_[i]);
+            });
+        }
         open_count_ = 0;
     }
 
-    /// Asks the plain shape.
+    /// Asks the plain shape, of which packs know.
+    template <std::size_t Kind>
     void settle(const place_in_leaves& at) {
         if (exists_ && at.id == at_.id) return;  // a shape may stand in several leaves
         Record candidate;
-        if (!leaves_.hit(at, ray_, t_min_, high_, candidate)) return;
+        if (!leaves_.template hit<Kind>(at, ray_, t_min_, high_, candidate)) return;
         if (exists_ && !exact_ && !(candidate.t < low_)) make_exact();
         if (exists_ && !(candidate.t < low_ || (candidate.t == low_ && at.id < at_.id))) return;
         take(at, candidate.t, candidate.t);
-        rec_ = candidate;
+        assign(true, rec_, candidate);
+        exact_ = true;
+    }
+
+    /// Asks the plain shape, whatever it is, which may write into the record what is not known here: it is given the
+    /// record itself, and a window in which it is the nearest.
+    template <std::size_t Kind>
+    void ask(const place_in_leaves& at) {
+        if (exists_ && at.id == at_.id) return;
+        if (exists_ && !exact_) make_exact();
+        const T t_max = !exists_ ? t_max_ : at.id < at_.id ? low_ : before(low_);
+        if (!leaves_.template hit<Kind>(at, ray_, t_min_, t_max, rec_)) return;
+        take(at, rec_.t, rec_.t);
         exact_ = true;
     }
 

@@ -77,8 +77,8 @@ private:
 }  // namespace detail
 
 /// Any primitive of the number type T, for scenes that are known only when the program runs. It is immutable: copies
-/// share it. What it costs beside a group of ranges, one for each type, is one call that cannot be inlined, and a
-/// memory of its own for each primitive.
+/// share it. Of a ray and a record it is given what is raio's. What it costs beside a group of ranges, one for each
+/// type, is one call that cannot be inlined, and a memory of its own for each primitive.
 template <real T>
 class any_primitive {
 public:

@@ -95,7 +95,7 @@ requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
             const bool met =
                 ask_leaf(end.leaf, [&](const auto& leaf) { return detail::hit_at(leaf, ray, end.t, rec); });
             if (!met) return false;
-            if constexpr (has_index<Record>) detail::put(rec.index, end.leaf);
+            detail::put_index(rec, end.leaf);
             if constexpr (has_front_face<Record>) detail::put(rec.front_face, entering);
             return true;
         });

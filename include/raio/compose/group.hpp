@@ -70,19 +70,7 @@ struct group {
         if constexpr (!detail::keeps_t<Record, T>) {
             return detail::hit_in_between(*this, ray, t_min, t_max, rec);
         } else {
-            mask_t<T> found = !(T(0) == T(0));
-            index_t<T> index{};
-            for_each([&](const auto& primitive) {
-                Record candidate;
-                const mask_t<T> met = detail::hit(primitive, ray, t_min, select(found, rec.t, t_max), candidate);
-                const mask_t<T> nearer = met && (!found || candidate.t < rec.t);
-                if constexpr (has_index<Record>) detail::put(candidate.index, index);
-                if (any(nearer)) assign(nearer, rec, candidate);
-                found = found || nearer;
-                index = index + index_t<T>(1);
-                return true;
-            });
-            return found;
+            return detail::hit_nearest(ray, t_min, t_max, rec, [&](auto visit) { for_each(visit); });
         }
     }
 

@@ -15,6 +15,7 @@ namespace raio {
 ///
 ///     raio::transformed{raio::sphere<float>{{0, 0, 0}, 1}, raio::scaling<float>({1, 2, 3})}    // an ellipsoid
 ///     raio::transformed{&mesh, map}    // an instance: the mesh is shared, and has to live longer
+///     raio::transformed{box, glm::rotate(glm::mat4(1), 0.5f, {0, 1, 0})}    // a map as GLM makes it
 template <holder Primitive>
 class transformed {
     using P = detail::held_t<Primitive>;
@@ -36,7 +37,7 @@ public:
         if constexpr (detail::has_lanes<T>) {
             return detail::first_hit_in_lanes(*this, ray, t_min, t_max, rec);
         } else {
-            return detail::hit(primitive(), mapped_ray<T>(ray, inverse_), t_min, t_max, rec);
+            return detail::hit(primitive(), detail::mapped(ray, inverse_), t_min, t_max, rec);
         }
     }
 
@@ -45,7 +46,7 @@ public:
         if constexpr (detail::has_lanes<T>) {
             return detail::any_hit_in_lanes(*this, ray, t_min, t_max);
         } else {
-            return detail::occluded(primitive(), mapped_ray<T>(ray, inverse_), t_min, t_max);
+            return detail::occluded(primitive(), detail::mapped(ray, inverse_), t_min, t_max);
         }
     }
 
@@ -54,7 +55,7 @@ public:
         if constexpr (detail::has_lanes<T>) {
             return detail::spans_in_lanes(*this, ray);
         } else {
-            return detail::spans_of(primitive(), mapped_ray<T>(ray, inverse_));
+            return detail::spans_of(primitive(), detail::mapped(ray, inverse_));
         }
     }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+
 #include <raio/math/vec.hpp>
 
 namespace raio {
@@ -10,6 +12,24 @@ template <real T>
 struct transform {
     vec3<T> x{T(1), T(0), T(0)}, y{T(0), T(1), T(0)}, z{T(0), T(0), T(1)};  ///< where the unit vectors go
     vec3<T> origin{T(0)};                                                   ///< where the origin goes
+
+    transform() = default;
+    RAIO_FN constexpr transform(const vec3<T>& x_to, const vec3<T>& y_to, const vec3<T>& z_to = {T(0), T(0), T(1)},
+                                const vec3<T>& origin_to = {T(0), T(0), T(0)})
+        : x(x_to), y(y_to), z(z_to), origin(origin_to) {}
+
+    /// A matrix of four columns, as GLM's own `translate`, `rotate` and `scale` make them: a mat4 or a mat4x3.
+    /// \throws std::invalid_argument  for a projection, whose last row is not 0 0 0 1
+    template <glm::length_t Rows, real U, glm::qualifier Q>
+    requires(Rows == 3 || Rows == 4) constexpr explicit(!std::same_as<U, T>)
+        transform(const glm::mat<4, Rows, U, Q>& columns)
+        : x(columns[0]), y(columns[1]), z(columns[2]), origin(columns[3]) {
+        if constexpr (Rows == 4) {
+            const bool affine =
+                columns[0][3] == U(0) && columns[1][3] == U(0) && columns[2][3] == U(0) && columns[3][3] == U(1);
+            if (!affine) throw std::invalid_argument("raio::transform: a matrix whose last row is not 0 0 0 1");
+        }
+    }
 
     RAIO_FN constexpr vec3<T> point(const vec3<T>& p) const {
         using W = wider_t<T>;
@@ -30,9 +50,12 @@ struct transform {
     }
 };
 
+template <glm::length_t Rows, real U, glm::qualifier Q>
+transform(const glm::mat<4, Rows, U, Q>&) -> transform<U>;
+
 template <real T>
 RAIO_FN constexpr transform<T> translation(const vec3<T>& by) {
-    return {.origin = by};
+    return {{T(1), T(0), T(0)}, {T(0), T(1), T(0)}, {T(0), T(0), T(1)}, by};
 }
 
 /// \param factors  along the axes; a negative one mirrors

@@ -33,6 +33,7 @@ using rebind_t = typename rebind<Shape, U>::type;
 /// Is it made of packs P where the same shape, made of plain numbers, has those numbers, and of nothing else?
 template <class Packed, class P>
 concept aggregate_of_packs = std::is_trivially_copyable_v<rebind_t<Packed, scalar_t<P>>> &&
+                             std::is_standard_layout_v<rebind_t<Packed, scalar_t<P>>> &&
                              (sizeof(Packed) % sizeof(P) == 0) &&
                              (sizeof(rebind_t<Packed, scalar_t<P>>) == sizeof(Packed) / P::lanes);
 

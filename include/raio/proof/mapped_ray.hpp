@@ -44,6 +44,13 @@ public:
 
     RAIO_FN constexpr const transform<T>& map() const { return map_; }
 
+    /// The same, but that the origin goes elsewhere.
+    RAIO_FN constexpr inverse_map with_origin(const vec3<T>& origin) const {
+        inverse_map moved = *this;
+        moved.map_.origin = origin;
+        return moved;
+    }
+
     template <class Line>
     RAIO_FN constexpr auto operator()(const Line& line) const {
         using W = typename Line::number;
@@ -178,6 +185,18 @@ private:
     mapped_line<Q> quick_;
 };
 
+/// A mapped ray of those that have more than a ray has.
+template <real T, class World>
+class mapped_ray_of : public mapped_ray<T> {
+public:
+    RAIO_FN constexpr mapped_ray_of(const World& world, const inverse_map<T>& map) : mapped_ray<T>(world, map) {}
+    RAIO_FN constexpr mapped_ray_of(const mapped_ray_of& outer, const inverse_map<T>& map)
+        : mapped_ray<T>(outer, map) {}
+
+    /// The ray as it was before all maps, with what else it has.
+    RAIO_FN constexpr const World& world() const { return static_cast<const World&>(mapped_ray<T>::world()); }
+};
+
 /// Its line in numbers of W.
 template <class W, real T>
 RAIO_FN constexpr decltype(auto) line_in(const mapped_ray<T>& ray) {
@@ -229,14 +248,33 @@ RAIO_FN constexpr auto made_of(const Origin& origin) {
 }
 
 template <class Ray>
-inline constexpr bool is_mapped = false;
-template <class T>
-inline constexpr bool is_mapped<mapped_ray<T>> = true;
+inline constexpr bool is_mapped = requires(const Ray& ray) {
+    ray.made_of();
+};
+
+/// The ray as one sees it that is under the map. It is given what it has to outlive.
+template <real T>
+RAIO_FN constexpr mapped_ray<T> mapped(const ray<T>& ray, const inverse_map<T>& map) {
+    return {ray, map};
+}
+template <real T>
+RAIO_FN constexpr mapped_ray<T> mapped(const mapped_ray<T>& ray, const inverse_map<T>& map) {
+    return {ray, map};
+}
+template <class World, real T>
+requires(std::derived_from<World, ray<T>> && !std::same_as<World, ray<T>>) RAIO_FN
+    constexpr mapped_ray_of<T, World> mapped(const World& ray, const inverse_map<T>& map) {
+    return {ray, map};
+}
+template <real T, class World>
+RAIO_FN constexpr mapped_ray_of<T, World> mapped(const mapped_ray_of<T, World>& ray, const inverse_map<T>& map) {
+    return {ray, map};
+}
 
 }  // namespace detail
 
-/// A ray of T, as it is or mapped.
+/// A ray of T, as it is or mapped, or what is derived from one.
 template <class Ray, class T>
-concept ray_of = std::same_as<Ray, ray<T>> || std::same_as<Ray, mapped_ray<T>>;
+concept ray_of = std::derived_from<Ray, ray<T>> || std::derived_from<Ray, mapped_ray<T>>;
 
 }  // namespace raio
