@@ -130,7 +130,7 @@ TEST_CASE("chord: an end is kept as far as the ray reaches it in numbers of its 
         const crossing<float> here{true, true, 0, 0, true}, there{true, true, r.t, 0, false};
         for (const bool first : {false, true}) {
             chord<float> c = first ? chord<float>{there, here} : chord<float>{here, there};
-            keep_if_reachable<float>(line_in<float>(ray), c);
+            keep_if_in_range<float>(line_in<float>(ray), c);
             const crossing<float>&far_off = first ? c.near : c.far, &near_by = first ? c.far : c.near;
             CHECK((far_off.exists == r.exists && far_off.certain == r.certain));
             CHECK((near_by.exists && near_by.certain == (std::abs(r.origin) < 8e37f)));

@@ -126,7 +126,7 @@ RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, 
                                   is_not_negative(size - far(u, v), size));
         const auto way = flip(determinant(e2, s, e1), det);
         const mask_t<W> passed = is_unwanted(wanted, way.value, way.error, size.value, size.error);
-        if (may_leave<W>(some(!exists.possibly, passed))) return missed_for_sure<W>();
+        if (all(some(!exists.possibly, passed))) return no_crossing<W>();
 
         const auto over_size = inverse(size);
         const auto t = way * over_size;

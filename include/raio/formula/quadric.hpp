@@ -76,7 +76,7 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const D& d, const L& l, const ro
             return axis2 * (c0 * n2 + beside) + discriminant * square(g);
         }
     }();
-    if (const auto missed = is_above_zero(a, b2_less_ac); may_leave<W>(missed)) return {nowhere<W>(missed), !missed};
+    if (const auto missed = is_above_zero(a, b2_less_ac); all(missed)) return {nowhere<W>(missed), !missed};
 
     const auto over_d2 = inverse(d2);
     const auto w = mn * over_d2;

@@ -156,7 +156,7 @@ RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, cons
 
 /// No crossing, beyond doubt.
 template <class W>
-RAIO_FN constexpr crossing<W> missed_for_sure() {
+RAIO_FN constexpr crossing<W> no_crossing() {
     const mask_t<W> no = W(0) != W(0);
     return {.exists = no, .certain = !no, .t = W(0), .error = bound_t<W>(0), .entering = no, .missed = true};
 }
@@ -182,15 +182,9 @@ RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, cons
     return difference_as<W>(ray.origin, base) + product_as<W>(ray.direction, t);
 }
 
-/// Is every lane out, so that the rest of a formula may be left?
-template <class W>
-RAIO_FN constexpr bool may_leave(const mask_t<W>& out) {
-    return all(out);
-}
-
-/// Keeps only crossings whose point T can say: those of a shape without end may lie beyond its largest number.
+/// Keeps only crossings whose point has coordinates in the range of T: a shape without end may be crossed beyond it.
 template <real T, class Line, class W>
-RAIO_FN constexpr void keep_if_reachable(const Line& line, crossing<W>& c) {
+RAIO_FN constexpr void keep_if_in_range(const Line& line, crossing<W>& c) {
     if constexpr (is_believed<W>) return;
     bound_t<W> speed = detail::most_of(line.direction());
     bound_t<W> farthest = detail::most_of(line.origin()) + speed * abs(bound_t<W>(c.t));

@@ -6,9 +6,9 @@
 
 namespace raio {
 
-/// Is a point known to a part of a size?
+/// Is a point known to less than a 2^13th of a size? So far away that it is not, places cannot be told apart.
 template <class W>
-RAIO_FN constexpr verdict<mask_t<W>> is_known_within(const bounded_vector<W>& p, const given_number<W>& size) {
+RAIO_FN constexpr verdict<mask_t<W>> is_located(const bounded_vector<W>& p, const given_number<W>& size) {
     const mask_t<W> known = p.error < bound_t<W>(0x1p-13) * size_of(size);
     return {known, W(0) == W(0), known};
 }
@@ -77,7 +77,7 @@ RAIO_FN constexpr line_part<W> part_of(const Line& line, const verdict<bool>& pa
         turn = direction.error * size_of(half);
     }
     from.error = norm1(error) + E(3) * E(reach) * turn;
-    const verdict<bool> found = every(passes, is_known_within(from, size));
+    const verdict<bool> found = every(passes, is_located(from, size));
     return {found.yes,
             is_settled(found),
             {from.x, from.y, from.z},

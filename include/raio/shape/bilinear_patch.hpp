@@ -138,14 +138,14 @@ private:
         for (const polynomial_root<W>& root : roots) {
             const auto u = root.place();
             const auto is_on_way = abs(u - half) <= half;
-            if (may_leave<W>(!is_on_way.possibly)) continue;
+            if (all(!is_on_way)) continue;
             const auto from = a + edge * u;
             const auto along = w + twist * u;
             const auto m = cross(d, from);
             const auto n = cross(d, along);
             const auto size = norm1(n);
             const auto is_between = every(is_on_way, norm1(m + m + n) <= size);
-            if (may_leave<W>(!is_between.possibly)) continue;
+            if (all(!is_between)) continue;
             // A ray that runs along the line lies in the surface, unless the line is a point.
             auto crosses = is_positive(size);
             if (!crosses.certainly) crosses = some(crosses, !is_positive(square(along)));

@@ -55,7 +55,7 @@ struct capsule {
         const auto r = line.given(radius);
         const auto slim = line.given(T(0x1p-120));
         c = only_if(r * r >= axis2 * slim, c);
-        keep_if_reachable<T>(line, c);
+        keep_if_in_range<T>(line, c);
         return c;
     }
 

@@ -116,7 +116,7 @@ struct convex_polyhedron {
             if (all(is_certainly_missed(c))) break;
             face = face + index_t<W>(1);
         }
-        keep_if_reachable<T>(line, c);
+        keep_if_in_range<T>(line, c);
         return c;
     }
 
