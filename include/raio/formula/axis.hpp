@@ -40,17 +40,6 @@ RAIO_FN constexpr auto cross_upper_plane(const vec3<T>& base, const vec3<T>& top
     return cross_half_space(dot(axis, line.from(top)), dot(axis, line.direction()), upper);
 }
 
-/// What the planes of both caps leave of an endless side: of a solid the part of the chord that is between them, of an
-/// open side either crossing on its own, if it is.
-template <bool Closed, class W, class Line, real T>
-RAIO_FN constexpr chord<W> cut_by_caps(const chord<W>& side, const vec3<T>& base, const vec3<T>& top,
-                                       const Line& line) {
-    if (missed(side)) return side;
-    chord<W> c = cut<Closed>(side, cross_cap_planes(base, top, line));
-    keep_if_in_range<T>(line, c);
-    return c;
-}
-
 /// The chord of a side, whose face is 0, and of the spheres at both its ends, whose faces are 1 and 2. These lie within
 /// the side without its ends: where that is crossed between them, they are not.
 template <class W, class Sphere, class Line>

@@ -76,8 +76,11 @@ struct cone {
 
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        const auto endless = detail::cross_endless_cone(base, apex, radius, line);
-        return detail::cut_by_caps<Closed>(endless, base, apex, line);
+        auto endless = detail::cross_endless_cone(base, apex, radius, line);
+        if (missed(endless)) return endless;
+        auto c = cut<Closed>(endless, detail::cross_cap_planes(base, apex, line));
+        keep_if_in_range<T>(line, c);
+        return c;
     }
 
     template <class Point>

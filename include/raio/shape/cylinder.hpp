@@ -40,18 +40,17 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
     const auto ar2 = a * (r * r);
     const auto passed2 = square(dot(l, n));
     const auto crosses = every(is_positive(r), is_positive(ar2), ar2 >= passed2);
-    const auto is_parallel = !is_positive(a);
-    if (all(every(!is_parallel, !crosses))) return nowhere<W>();
+    const auto is_slanted = is_positive(a);  // not parallel to the axis
+    if (all(every(is_slanted, !crosses))) return nowhere<W>();
 
     const auto axis2 = square(axis);
     const auto inner2 = axis2 * (r * r);
     const auto beside2 = square(m);
     const auto [enters, leaves] = quadratic_roots(a, dot(m, n), beside2 - inner2, sqrt(axis2 * (ar2 - passed2)));
-    const auto c = between(crosses, enters, leaves);
-    if (all(!is_parallel)) return c;
+    if (all(is_slanted)) return between(crosses, enters, leaves);
 
     const auto is_inside = every(is_positive(r), is_positive(inner2), beside2 <= inner2);
-    return unless(is_parallel, c, is_inside);
+    return unless(!is_slanted, between(crosses, enters, leaves), is_inside);
 }
 
 /// What cylinders record of a point.
@@ -121,8 +120,11 @@ struct cylinder {
 
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        const auto endless = detail::cross_endless_cylinder(base, top, radius, line);
-        return detail::cut_by_caps<Closed>(endless, base, top, line);
+        auto endless = detail::cross_endless_cylinder(base, top, radius, line);
+        if (missed(endless)) return endless;
+        auto c = cut<Closed>(endless, detail::cross_cap_planes(base, top, line));
+        keep_if_in_range<T>(line, c);
+        return c;
     }
 
     template <class Point>

@@ -159,8 +159,11 @@ struct frustum {
 
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        const auto endless = detail::cross_nappe(base, top, radii(), line);
-        return detail::cut_by_caps<Closed>(endless, base, top, line);
+        auto endless = detail::cross_nappe(base, top, radii(), line);
+        if (missed(endless)) return endless;
+        auto c = cut<Closed>(endless, detail::cross_cap_planes(base, top, line));
+        keep_if_in_range<T>(line, c);
+        return c;
     }
 
     template <class Point>

@@ -50,7 +50,11 @@ RAIO_FN constexpr auto cross_hyperboloid(const vec3<T>& base, const vec3<T>& top
         keep_if_in_range<T>(line, parts);
         return parts;
     } else {
-        return cut_by_caps<false>(endless.ends, base, top, line);
+        auto ends = endless.ends;
+        if (missed(ends)) return ends;
+        ends = cut<false>(ends, cross_cap_planes(base, top, line));
+        keep_if_in_range<T>(line, ends);
+        return ends;
     }
 }
 

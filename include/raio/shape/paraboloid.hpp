@@ -121,7 +121,7 @@ struct paraboloid {
 
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        const auto endless = detail::cross_endless_paraboloid(vertex, top, radius, line);
+        auto endless = detail::cross_endless_paraboloid(vertex, top, radius, line);
         if (missed(endless)) return endless;
         auto c = cut<Closed>(endless, detail::cross_upper_plane(vertex, top, line));
         keep_if_in_range<T>(line, c);
