@@ -102,12 +102,6 @@ RAIO_FN constexpr root_pair<W> quadratic_roots(const A& a, const bounded_number<
     return {near, far};
 }
 
-/// Which lanes' lines miss, beyond doubt?
-template <class W>
-RAIO_FN constexpr mask_t<W> is_certainly_missed(const chord<W>& c) {
-    return every(c.near.certain, !c.near.exists);
-}
-
 /// The same chord, but only if this holds as well.
 template <class W>
 RAIO_FN constexpr chord<W> only_if(const verdict<mask_t<W>>& holds, chord<W> c) {
@@ -162,7 +156,8 @@ RAIO_FN constexpr void keep_going_where(const mask_t<W>& where, chord<W>& c) {
 
 /// A chord, unless the line is parallel to what it ends at: then all of the line is inside, or nothing.
 template <class W>
-RAIO_FN constexpr chord<W> unless(const verdict<mask_t<W>>& parallel, chord<W> c, const verdict<mask_t<W>>& inside) {
+RAIO_FN constexpr chord<W> unless_parallel(const verdict<mask_t<W>>& parallel, chord<W> c,
+                                           const verdict<mask_t<W>>& inside) {
     const mask_t<W> along = parallel.yes, exists = every(along, answer_of<W>(inside));
     const mask_t<W> known = every(is_settled(parallel), some(!along, is_settled(inside)));
     const auto put = [&](crossing<W>& end) {

@@ -176,6 +176,17 @@ RAIO_FN constexpr crossing<W> located(crossing<W> c, const bounded_number<W>& pl
     return c;
 }
 
+/// How far that place may be off. Where double says that it is not, as of the end of a curve, it may be as far off as t
+/// does not tell.
+/// \param unnoticed  says how far that is, from what t is off by
+template <class W, class Unnoticed>
+RAIO_FN constexpr W error_of_place(const crossing<W>& c, Unnoticed unnoticed) {
+    if constexpr (!last_precision<W>) {
+        if (!(c.v > W(0))) return unnoticed(W(c.error));
+    }
+    return c.v;
+}
+
 /// The point at t, as seen from another.
 template <class W, real R, real T>
 RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, const W& t) {

@@ -77,15 +77,14 @@ struct bilinear_patch {
         vec3<Q> direction = normalize_from<T>(vec3<Q>(at.direction()));
         const Q side(at.entering() ? 1 : -1);
         // The three are independent unless the patch is flat: only then the normal may vanish, at a corner without an
-        // edge or on a fold, and is that of the plane. Much smaller than its terms it is rounding for the most part.
-        if (norm1(outward) <= Q(0x1p12 * unit_roundoff<Q>) * (norm1(aw) + norm1(at_u) + norm1(at_v))) {
+        // edge or on a fold, and is that of the plane.
+        if (is_mostly_rounding(outward, norm1(aw) + norm1(at_u) + norm1(at_v))) {
             const auto larger = [](const vec3<W>& x, const vec3<W>& y) { return norm1(x) < norm1(y) ? y : x; };
             outward = vec3<Q>(larger(cross(scaled_u, scaled_v),
                                      larger(cross(scaled_u, scaled_twist), cross(scaled_twist, scaled_v))));
             outward = outward * (copysign(Q(1), dot(outward, direction)) * -side);
         }
-        // Where rounding has turned it along the ray, it is mirrored.
-        outward -= direction * (Q(2) * max(Q(0), dot(outward, direction) * side) * side);
+        outward = mirrored_against(outward, direction, side);
         at.record_point(T(size));
         at.keep_between(corners());
         at.record_normal(outward);

@@ -50,7 +50,7 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
     if (all(is_slanted)) return between(crosses, enters, leaves);
 
     const auto is_inside = every(is_positive(r), is_positive(inner2), beside2 <= inner2);
-    return unless(!is_slanted, between(crosses, enters, leaves), is_inside);
+    return unless_parallel(!is_slanted, between(crosses, enters, leaves), is_inside);
 }
 
 /// What cylinders record of a point.

@@ -2,7 +2,7 @@
 
 #include <raio/concepts.hpp>
 #include <raio/formula/quadric.hpp>
-#include <raio/proof/apex.hpp>
+#include <raio/proof/normal.hpp>
 #include <raio/surface_sample.hpp>
 
 /// \file

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <raio/formula/revolution.hpp>
+#include <raio/proof/line_beside_axis.hpp>
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/ring.hpp>
 
@@ -31,8 +32,7 @@ struct revolved_piece<T, 1> {
         auto a = line.given(axis);
         auto d = line.direction();
         const auto to_axis_at = [&](const T& height) { return line.to(base) + a * line.given(height); };
-        chord<typename Line::number> c{};
-        c.far.certain = true;
+        chord<typename Line::number> c = nowhere<typename Line::number>();
         if (is_flat()) {
             c.near = cross_between_rims(d, a, to_axis_at(from.y), line.given(min(from.x, to.x)),
                                         line.given(max(from.x, to.x)));
@@ -163,8 +163,7 @@ struct surface_of_revolution {
             box = hull(box, padded(aabb<T>{center - reach, center + reach}));
         }
         if constexpr (Degree > 1) {
-            vec3<T> blur(T(0x1p-40) * norm1(vec3<T>(box.max - box.min)));
-            box = {box.min - blur, box.max + blur};
+            box = with_room_for_tips(box);
         }
         return box;
     }

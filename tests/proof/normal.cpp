@@ -7,7 +7,8 @@
 
 namespace raio::test {
 
-TEST_CASE_TEMPLATE("apex: however close to it a ray comes, the normal is unit and faces the ray", T, float, double) {
+TEST_CASE_TEMPLATE("normal: however close to an apex a ray comes, the normal is unit and faces the ray", T, float,
+                   double) {
     random_numbers random(1);
     int hits = 0;
     for (int i = 0; i < at_least(20'000); ++i) {
@@ -26,12 +27,18 @@ TEST_CASE_TEMPLATE("apex: however close to it a ray comes, the normal is unit an
     CHECK(hits > 5'000);
 }
 
-TEST_CASE("apex: what is not along the way out is left") {
+TEST_CASE("normal: what is not along the way out is left") {
     const vec3<double> d(0, 0, 2);
     CHECK(detail::turned_from(d, true, vec3<double>(1, 0, -1)) == vec3<double>(1, 0, -1));  // against the ray already
     CHECK(detail::turned_from(d, true, vec3<double>(1, 0, 1)) == vec3<double>(1, 0, 0));
     CHECK(detail::turned_from(d, false, vec3<double>(1, 0, 1)) == vec3<double>(1, 0, 1));
     CHECK(detail::turned_from(d, false, vec3<double>(1, 0, -1)) == vec3<double>(1, 0, 0));
+}
+
+TEST_CASE("normal: what errors have turned along the ray is mirrored, the other way if it leaves") {
+    const vec3<double> d(0, 0, 1), along(1, 0, 2), against(1, 0, -2);
+    CHECK((mirrored_against(along, d, 1.0) == against && mirrored_against(against, d, 1.0) == against));
+    CHECK((mirrored_against(along, d, -1.0) == along && mirrored_against(against, d, -1.0) == along));
 }
 
 }  // namespace raio::test
