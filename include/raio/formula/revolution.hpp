@@ -75,7 +75,7 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
         const auto mn_squared = square(mn);
         const auto product = n2 * beyond;
         // A level line may pass the circle at its height by.
-        if (!root.is_simple() && (mn_squared < product).certainly) continue;
+        if (!root.is_simple() && all(mn_squared < product)) continue;
         const auto [near, far] = quadratic_roots(n2, -mn, beyond, sqrt(mn_squared - product));
         if (is_better_known(by_height, near)) {
             insert(by_height);
@@ -87,8 +87,8 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
             list.depends_on(agrees(is_far ? near : far));
             insert(is_far ? far : near);
         } else {
-            if (agrees(near).possibly) insert(near);
-            if (agrees(far).possibly) insert(far);
+            if (any(agrees(near))) insert(near);
+            if (any(agrees(far))) insert(far);
         }
     }
     return list;

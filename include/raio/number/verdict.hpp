@@ -27,10 +27,14 @@ RAIO_FN constexpr Mask is_settled(const verdict<Mask>& a) {
     return some(a.certainly, !a.possibly);
 }
 
-/// Does it hold in every lane, whatever the errors were?
+/// Does it hold in every lane, whatever the errors were? May it hold in any?
 template <class Mask>
 RAIO_FN constexpr bool all(const verdict<Mask>& a) {
     return all(a.certainly);
+}
+template <class Mask>
+RAIO_FN constexpr bool any(const verdict<Mask>& a) {
+    return any(a.possibly);
 }
 
 template <class Mask, std::same_as<verdict<Mask>>... More>

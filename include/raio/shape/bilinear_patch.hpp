@@ -147,7 +147,7 @@ private:
             if (all(!is_between)) continue;
             // A ray that runs along the line lies in the surface, unless the line is a point.
             auto crosses = is_positive(size);
-            if (!crosses.certainly) crosses = some(crosses, !is_positive(square(along)));
+            if (!all(crosses)) crosses = some(crosses, !is_positive(square(along)));
             const auto v = held_between(-ratio(m, n), W(0), W(1));
             const auto t = (dot(from, d) + v * dot(along, d)) * inverse(d2);
             // Where f only touches zero, the line is crossed twice: in the order of u, or against it.

@@ -58,7 +58,7 @@ struct box {
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         using W = typename Line::number;
-        if constexpr (!Line::is_exact) {
+        if constexpr (!Line::is_exact) {  // of a ray that was mapped
             const auto to_min = line.to(min);
             const auto to_max = line.to(max);
             const auto direction = line.direction();

@@ -126,16 +126,18 @@ struct torus {
                                      two * e2 * g + (square(eb) - four_major2 * e2), none, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
-        list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
-                  [&](const polynomial_root<W>& root) {
-                      const auto x = root.place();
-                      const auto t = middle + half * x;
-                      if (is_ring) {
-                          list.append(t, root);
-                      } else {
-                          append_outer(g + e2 * square(x), root, t, list);
-                      }
-                  });
+        const auto wanted_places = is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{};
+        const auto roots = roots_between(f, W(-1), W(1), wanted_places);
+        list.depends_on(roots);
+        for (const polynomial_root<W>& root : roots) {
+            const auto x = root.place();
+            const auto t = middle + half * x;
+            if (is_ring) {
+                list.append(t, root);
+            } else {
+                append_outer(g + e2 * square(x), root, t, list);
+            }
+        }
         start_on_surface(list, [&] { return is_on_surface(l * unit, major2, tube2); });
         return list;
     }
@@ -180,11 +182,11 @@ private:
                                                const bounded_number<W>& t, crossing_list<W, 4>& list) {
         const auto x = root.place();
         const auto zero = shape_numbers<W>::given(W(0));
-        const bool is_outer = list.holds(outer >= zero), on_axis = every(outer >= zero, outer <= zero).possibly;
+        const bool is_outer = list.holds(outer >= zero), on_axis = any(every(outer >= zero, outer <= zero));
         const bool entering = root.before > 0, to_other = root.is_touched() && !entering;
         const auto append = [&](bool enters) {
             const bool inside = list.count > 0 && list.crossings[list.count - 1].entering;
-            const bool leaves = inside && (to_other || (x >= zero).possibly);
+            const bool leaves = inside && (to_other || any(x >= zero));
             if (on_axis ? (enters ? !inside : leaves) : is_outer) list.append(t, enters);
         };
         append(entering);
