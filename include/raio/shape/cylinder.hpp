@@ -2,7 +2,6 @@
 
 #include <raio/concepts.hpp>
 #include <raio/formula/axis.hpp>
-#include <raio/formula/quadric.hpp>
 #include <raio/proof/line.hpp>
 #include <raio/surface_sample.hpp>
 
@@ -12,10 +11,10 @@
 /// With the axis A = top - base and l = base - origin, the distance of the point at t from the axis is |(t d - l) x A|
 /// / |A|. It is the radius at
 ///
-///     t = (b -+ s) / a,   n = d x A,  a = n.n,  b = (l x A).n,   s^2 = A.A (a radius^2 - (A.(l x d))^2)
+///     t = (b -+ s) / a,   n = d x A,  a = n.n,  b = (l x A).n,   s^2 = A.A (a radius^2 - (l.n)^2)
 ///
-/// |A.(l x d)| / |n| is the distance at which the two lines pass each other: like the sphere's, the discriminant is
-/// free of differences of large squares. A line parallel to the axis, n = 0, is inside everywhere or nowhere.
+/// |l.n| / |n| is the distance at which the line passes the axis: like the sphere's, the discriminant is free of
+/// differences of large squares. A line parallel to the axis, n = 0, is inside everywhere or nowhere.
 ///
 /// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
 /// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
@@ -51,13 +50,6 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
 
     const auto is_inside = every(is_positive(r), is_positive(inner2), beside2 <= inner2);
     return unless_parallel(!is_slanted, between(crosses, enters, leaves), is_inside);
-}
-
-/// What cylinders record of a point.
-template <class Point, real T>
-RAIO_FN constexpr void cylinder_surface(Point& at, const vec3<T>& base, const vec3<T>& top, T radius) {
-    axial_surface(at, base, top, vec2<T>(radius), radius, [](const auto& from_axis, const auto&) { return from_axis; });
-    at.keep_in([&] { return axial_bounds(base, top, vec2<T>(radius)); });
 }
 
 }  // namespace detail
@@ -129,7 +121,9 @@ struct cylinder {
 
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
-        detail::cylinder_surface(at, base, top, radius);
+        const auto outwards = [](const auto& from_axis, const auto&) { return from_axis; };
+        detail::axial_surface(at, base, top, vec2<T>(radius), radius, outwards);
+        at.keep_in([this] { return bounds(); });
     }
 };
 

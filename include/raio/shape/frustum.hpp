@@ -68,18 +68,6 @@ RAIO_FN constexpr vec3<W> frustum_gradient(const Point& at, const vec3<W>& axis,
     return turned_at_apex(at, axis, widening, from_axis, outward);
 }
 
-/// What frusta record of a point.
-template <class Point, real T>
-RAIO_FN constexpr void frustum_surface(Point& at, const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
-    using W = typename Point::number;
-    vec3<W> axis = difference_as<W>(top, base);
-    axial_surface(at, base, top, radii, max(radii.x, radii.y) + norm1(vec3<T>(axis)),
-                  [&](const vec3<W>& from_axis, const W& height) {
-                      return frustum_gradient(at, axis, radii, from_axis, height);
-                  });
-    at.keep_in([&] { return axial_bounds(base, top, radii); });
-}
-
 /// The area of the side, and the point of it that `u` chooses: u.x turns about the axis, u.y is the area between the
 /// base and the point.
 template <real T>
@@ -168,7 +156,13 @@ struct frustum {
 
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
-        detail::frustum_surface(at, base, top, radii());
+        using W = typename Point::number;
+        vec3<W> axis = difference_as<W>(top, base);
+        detail::axial_surface(at, base, top, radii(), max(base_radius, top_radius) + norm1(vec3<T>(axis)),
+                              [&](const vec3<W>& from_axis, const W& height) {
+                                  return detail::frustum_gradient(at, axis, radii(), from_axis, height);
+                              });
+        at.keep_in([this] { return bounds(); });
     }
 
     template <class Point>

@@ -45,17 +45,6 @@ RAIO_FN constexpr aabb<T> paraboloid_bounds(const vec3<T>& vertex, const vec3<T>
     return padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)});
 }
 
-/// What paraboloids record of a point.
-template <class Point, real T>
-RAIO_FN constexpr void paraboloid_surface(Point& at, const vec3<T>& vertex, const vec3<T>& top, T radius) {
-    using W = typename Point::number;
-    vec3<W> axis = difference_as<W>(top, vertex);
-    vec3<W> down = axis * (W(0.5) * W(radius) * W(radius) / dot(axis, axis));
-    axial_surface(at, vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)),
-                  [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });
-    at.keep_in([&] { return paraboloid_bounds(vertex, top, radius); });
-}
-
 /// The area of the side.
 template <real T>
 RAIO_FN constexpr T paraboloid_side(const vec3<T>& vertex, const vec3<T>& top, T radius) {
@@ -130,7 +119,12 @@ struct paraboloid {
 
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
-        detail::paraboloid_surface(at, vertex, top, radius);
+        using W = typename Point::number;
+        vec3<W> axis = difference_as<W>(top, vertex);
+        vec3<W> down = axis * (W(0.5) * W(radius) * W(radius) / dot(axis, axis));
+        detail::axial_surface(at, vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)),
+                              [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });
+        at.keep_in([this] { return bounds(); });
     }
 };
 
