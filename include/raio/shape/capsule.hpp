@@ -1,7 +1,7 @@
 #pragma once
 
 #include <raio/shape/cylinder.hpp>
-#include <raio/shape/round_cone.hpp>
+#include <raio/shape/sphere.hpp>
 
 namespace raio {
 
@@ -29,7 +29,7 @@ struct capsule {
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return as_round_cone().bounds(); }
+    RAIO_FN constexpr aabb<T> bounds() const { return hull(low_end().bounds(), high_end().bounds()); }
 
     RAIO_FN constexpr T area() const { return T(2 * pi<T>) * radius * (length(top - base) + T(2) * radius); }
 
@@ -61,11 +61,28 @@ struct capsule {
 
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
-        as_round_cone().surface(at);
+        using W = typename Point::number;
+        using Q = typename Point::precise;
+        vec3<W> axis = difference_as<W>(top, base), from_base = at.from(base);
+        W axis2 = dot(axis, axis), along = quotient(dot(from_base, axis), axis2, W(0));
+        // At the upper end, which may be far from the base, the distance is measured from there.
+        vec3<W> beside = from_base - axis * max(W(0), along);
+        vec3<Q> from_axis(select(along >= W(1), at.from(top), beside));
+        at.record_point(radius);
+        at.keep_in([this] { return bounds(); });
+        at.record_normal(from_axis);
+        at.record_uv([&] {
+            const mask_t<T> is_long = T(axis2) > T(0);
+            vec3<T> up(normalize(select(is_long, vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1))))), from_center(from_axis);
+            const frame<T> f = frame_about(up);
+            const T size = T(sqrt(axis2)), rise = dot(from_center, up),
+                    height = max(T(0), min(T(1), T(along))) * size + rise;
+            return vec2<T>(turns(dot(from_center, f.y), dot(from_center, f.x)),
+                           max(T(0), min(T(1), (height + radius) / (size + T(2) * radius))));
+        });
     }
 
 private:
-    RAIO_FN constexpr round_cone<T> as_round_cone() const { return {base, top, radius, radius}; }
     RAIO_FN constexpr sphere<T> low_end() const { return {base, radius}; }
     RAIO_FN constexpr sphere<T> high_end() const { return {top, radius}; }
 };
