@@ -78,7 +78,14 @@ struct crossing_list {
         return condition.yes;
     }
 
-    /// The same, if there is one at that place: u and v say where on the surface.
+    /// Takes over what `each` makes of one root after the other, and what is known of them all.
+    template <std::size_t M, class Each>
+    RAIO_FN constexpr void take(const polynomial_roots<W, M>& roots, Each each) {
+        certain = certain && roots.certain;
+        for (const polynomial_root<W>& root : roots) each(root);
+    }
+
+    /// Takes over a root, if there is one at that place: u and v say where on the surface.
     RAIO_FN constexpr void append(const verdict<bool>& exists, const bounded_number<W>& t,
                                   const polynomial_root<W>& root, const W& u, const W& v) {
         depends_on(exists);

@@ -126,18 +126,16 @@ struct torus {
                                      two * e2 * g + (square(eb) - four_major2 * e2), none, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
-        const auto wanted_places = is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{};
-        const auto roots = roots_between(f, W(-1), W(1), wanted_places);
-        list.depends_on(roots);
-        for (const polynomial_root<W>& root : roots) {
-            const auto x = root.place();
-            const auto t = middle + half * x;
-            if (is_ring) {
-                list.append(t, root);
-            } else {
-                append_outer(g + e2 * square(x), root, t, list);
-            }
-        }
+        list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
+                  [&](const polynomial_root<W>& root) {
+                      const auto x = root.place();
+                      const auto t = middle + half * x;
+                      if (is_ring) {
+                          list.append(t, root);
+                      } else {
+                          append_outer(g + e2 * square(x), root, t, list);
+                      }
+                  });
         start_on_surface(list, [&] { return is_on_surface(l * unit, major2, tube2); });
         return list;
     }
