@@ -68,25 +68,4 @@ TEST_CASE("axis: below a plane a line begins or ends, or is at no end") {
     CHECK((!open.near.certain && !open.far.certain));
 }
 
-TEST_CASE_TEMPLATE("axis: an open side has its rims, and what is closer to them than its error is open", N,
-                   strict_double, double_double, double) {
-    const chord<N> slab = test::slab<N>(4, 1);  // from 2 to 4
-    using E = bound_t<N>;
-    const auto kept = [&](double t, double error = 0.125, bool exists = true) {
-        return detail::within(slab, crossing<N>{exists, true, N(t), E(error), true});
-    };
-    CHECK((kept(3).exists && kept(3).certain));
-    for (const double t : {1.5, 4.5}) CHECK((!kept(t).exists && kept(t).certain));
-    for (const double t : {1.9375, 2.0625, 3.9375, 4.0625}) CHECK(!kept(t).certain);
-    for (const double t : {2.0, 4.0}) CHECK((kept(t).exists && !kept(t).certain));
-    for (const double t : {2 - 0x1p-20, 4 + 0x1p-20}) CHECK(kept(t).exists == std::same_as<N, double_double>);
-    for (const double t : {1.9375, 4.0625}) CHECK(!kept(t).exists);  // a part of the slab is no error of its rim
-    for (const double t : {1.9375, 2.0625, 3.9375, 4.0625}) {        // the planes may be off as well
-        CHECK(!detail::within(test::slab<N>(4, 1, 0.5), crossing<N>{true, true, N(t), E(0), true}).certain);
-    }
-    CHECK((!kept(2, 0.125, false).exists && kept(2, 0.125, false).certain));
-    const auto beside = detail::within(test::slab<N>(9, 0), crossing<N>{true, true, N(3), E(0), true});
-    CHECK((!beside.exists || !beside.certain));
-}
-
 }  // namespace raio::test

@@ -130,7 +130,7 @@ TEST_CASE("chord: an end is kept as far as the ray reaches it in numbers of its 
         const crossing<float> here{true, true, 0, 0, true}, there{true, true, r.t, 0, false};
         for (const bool first : {false, true}) {
             chord<float> c = first ? chord<float>{there, here} : chord<float>{here, there};
-            keep_if_reachable<float>(line_in<float>(ray), c);
+            keep_if_in_range<float>(line_in<float>(ray), c);
             const crossing<float>&far_off = first ? c.near : c.far, &near_by = first ? c.far : c.near;
             CHECK((far_off.exists == r.exists && far_off.certain == r.certain));
             CHECK((near_by.exists && near_by.certain == (std::abs(r.origin) < 8e37f)));
@@ -170,6 +170,37 @@ TEST_CASE("chord: an end that cannot be told from the ray's origin is there, if 
     bool asked = false;
     start_on_surface(elsewhere, [&] { return asked = true; });
     CHECK((!asked && elsewhere.near.t == 1 && elsewhere.far.t == 2));
+}
+
+TEST_CASE_TEMPLATE("chord: an open side has its rims, and what is closer to them than its error is open", N,
+                   strict_double, double_double, double) {
+    using E = bound_t<N>;
+    const auto slab_off_by = [](double error) {
+        return chord<N>{{true, true, N(2), E(error), true}, {true, true, N(4), E(error), false}};
+    };
+    const auto kept = [&](double t, double error = 0.125, bool exists = true) {
+        return within(slab_off_by(0), crossing<N>{exists, true, N(t), E(error), true});
+    };
+    CHECK((kept(3).exists && kept(3).certain));
+    for (const double t : {1.5, 4.5}) CHECK((!kept(t).exists && kept(t).certain));
+    for (const double t : {1.9375, 2.0625, 3.9375, 4.0625}) CHECK(!kept(t).certain);
+    for (const double t : {2.0, 4.0}) CHECK((kept(t).exists && !kept(t).certain));
+    for (const double t : {2 - 0x1p-20, 4 + 0x1p-20}) CHECK(kept(t).exists == std::same_as<N, double_double>);
+    for (const double t : {1.9375, 4.0625}) CHECK(!kept(t).exists);  // a part of the slab is no error of its rim
+    for (const double t : {1.9375, 2.0625, 3.9375, 4.0625}) {        // the planes may be off as well
+        CHECK(!within(slab_off_by(0.125), crossing<N>{true, true, N(t), E(0), true}).certain);
+    }
+    CHECK((!kept(2, 0.125, false).exists && kept(2, 0.125, false).certain));
+    const crossing<N> beside = within(nowhere<N>(), crossing<N>{true, true, N(3), E(0), true});
+    CHECK((!beside.exists && beside.certain));
+}
+
+TEST_CASE("chord: of a closed surface a convex solid leaves a chord, of an open one each crossing on its own") {
+    const auto end = [](double t, bool entering) { return crossing<double>{true, true, t, 0, entering}; };
+    const chord<double> side{end(1, true), end(3, false)}, slab{end(2, true), end(4, false)};
+    const chord<double> closed = cut<true>(side, slab), open = cut<false>(side, slab);
+    CHECK((closed.near.exists && closed.near.t == 2 && closed.far.exists && closed.far.t == 3));
+    CHECK((!open.near.exists && open.far.exists && open.far.t == 3));
 }
 
 }  // namespace raio::test

@@ -31,11 +31,11 @@ TEST_CASE("crossing: only what the ray reaches in numbers of its type is kept") 
         const ray<float> ray{{r.origin, 0, 0}, {0, -1, 0}};
         for (const bool certain : {false, true}) {
             crossing<float> c{true, certain, r.t, r.error, true}, none{false, certain, r.t, r.error, true};
-            keep_if_reachable<float>(line_in<float>(ray), c), keep_if_reachable<float>(line_in<float>(ray), none);
+            keep_if_in_range<float>(line_in<float>(ray), c), keep_if_in_range<float>(line_in<float>(ray), none);
             CHECK((c.exists == r.exists && c.certain == (certain && r.certain)));
             CHECK((!none.exists && none.certain == certain));
             crossing<double> fine{true, certain, double(r.t), double(r.error), true};
-            keep_if_reachable<float>(line_in<double>(ray), fine);
+            keep_if_in_range<float>(line_in<double>(ray), fine);
             CHECK((fine.exists == r.exists && fine.certain == certain));
         }
     }

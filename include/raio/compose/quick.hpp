@@ -23,7 +23,7 @@ RAIO_FORMULA constexpr crossing<plain<T>> first_crossing(const Shape& shape, con
 template <class Found, real T>
 RAIO_FN constexpr crossing<plain<T>> crossing_at(const Found& found, T t) {
     using W = plain<T>;
-    auto nearest = missed_for_sure<W>();
+    auto nearest = no_crossing<W>();
     for (const crossing<W>& c : in_order(found)) {
         const mask_t<T> nearer = some(!nearest.exists, abs(c.t - W(t)) < abs(nearest.t - W(t)));
         nearest = select(every(c.exists, nearer), c, nearest);

@@ -13,9 +13,7 @@
 namespace raio::detail {
 
 /// The chord through the slab between two planes across the axis.
-/// \param to_base, to_top  how far it is along the axis from where the line has t = 0 to each plane, times the length
-/// of
-///                         the axis
+/// \param to_base, to_top  how far each plane is along the axis from the point where t = 0, times the axis' length
 template <class W, proven_vector A, proven_vector D>
 RAIO_FN constexpr chord<W> cross_slab(const A& axis, const bounded_number<W>& to_base, const bounded_number<W>& to_top,
                                       const D& d) {
@@ -42,21 +40,6 @@ RAIO_FN constexpr auto cross_upper_plane(const vec3<T>& base, const vec3<T>& top
     return cross_half_space(dot(axis, line.from(top)), dot(axis, line.direction()), upper);
 }
 
-/// The crossing, if it lies in the slab: what an open side keeps of those of the endless surface.
-template <class W>
-RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
-    W before = c.t - slab.near.t, after = slab.far.t - c.t;
-    using E = bound_t<W>;
-    E before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
-    E size = abs(E(slab.near.t)) + abs(E(slab.far.t));  // of its t, as in polyhedra: what is between may be a point
-    const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
-    const mask_t<W> between = every(before > before_error, after > after_error);
-    c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
-    c.exists =
-        every(c.exists, slab.near.exists, before >= -tie<W>(before_error, size), after >= -tie<W>(after_error, size));
-    return c;
-}
-
 /// The chord of a side, whose face is 0, and of the spheres at both its ends, whose faces are 1 and 2. These lie within
 /// the side without its ends: where that is crossed between them, they are not.
 template <class W, class Sphere, class Line>
@@ -71,10 +54,11 @@ RAIO_FN constexpr chord<W> with_round_ends(const chord<W>& c, const Sphere& low,
     return {select(beside, c.near, whole.near), select(beside, c.far, whole.far)};
 }
 
-/// What all of them say of a point: the normal and uv of the face that was hit.
+/// What all of them record of a point: the normal and uv of the face that was hit.
 /// \param radii          of the two caps
-/// \param bend           how far the side curves at most
-/// \param side_gradient  outwards across the side, of any length, from the vector from the axis and the height there
+/// \param bend           the smallest radius at which the side curves, as for `record_point`
+/// \param side_gradient  says what is normal to the side, outwards and of any length. It is told where the point is: as
+///                       seen from the axis, and at which height, 0 at the base and 1 at the top
 template <class Point, real T, class SideGradient>
 RAIO_FN constexpr void axial_surface(Point& at, const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii, T bend,
                                      SideGradient side_gradient) {
@@ -90,10 +74,10 @@ RAIO_FN constexpr void axial_surface(Point& at, const vec3<T>& base, const vec3<
     vec3<Q> sideways = scaled_into_range<T>(vec3<Q>(side_gradient(across, height)));
     vec3<Q> outward = select(side, sideways, up * select(low, Q(-1), Q(1)));
     const Q steep = length(outward);
-    const mask_t<Q> waist = !every(steep > Q(0), is_finite(steep));
-    if (any(waist)) {  // too narrow for a normal, or too wide: it is the axis, against the ray
+    const mask_t<Q> has_none = !every(steep > Q(0), is_finite(steep));
+    if (any(has_none)) {  // where the side has no normal, it is seen along the axis, against the ray
         const Q turned = copysign(Q(1), Q(-dot(axis, at.direction()))) * select(at.entering(), Q(1), Q(-1));
-        outward = select(waist, up * turned, outward);
+        outward = select(has_none, up * turned, outward);
     }
     at.record_normal(outward);
     at.record_uv([&] {  // angles do not ask for unit length

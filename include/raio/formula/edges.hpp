@@ -1,6 +1,7 @@
 #pragma once
 
 #include <raio/proof/line.hpp>
+#include <raio/proof/normal.hpp>
 #include <raio/proof/settle.hpp>
 
 /// \file
@@ -126,7 +127,7 @@ RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, 
                                   is_not_negative(size - far(u, v), size));
         const auto way = flip(determinant(e2, s, e1), det);
         const mask_t<W> passed = is_unwanted(wanted, way.value, way.error, size.value, size.error);
-        if (may_leave<W>(some(!exists.possibly, passed))) return missed_for_sure<W>();
+        if (all(some(!exists.possibly, passed))) return no_crossing<W>();
 
         const auto over_size = inverse(size);
         const auto t = way * over_size;
@@ -139,26 +140,7 @@ RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, 
     }
 }
 
-/// Across two edges, of any length. Where a double has no digits to spare, those of a sliver, or of what is seen
-/// edge-on, are found with more. \param edge  answers with the first or the second one in the precision of its argument
-template <real T, class W, class Edge>
-RAIO_FN constexpr vec3<W> normal_of_edges(Edge edge, [[maybe_unused]] const vec3<W>& direction) {
-    const auto across = [&]<class V>(V number) {
-        return cross(scaled_into_range<T>(edge(number, 0)), scaled_into_range<T>(edge(number, 1)));
-    };
-    vec3<W> normal = across(W(0));
-    if constexpr (detail::lacks_digits<T, W>) {
-        const auto size = [](const vec3<W>& v) { return norm1(vec3<bound_t<W>>(v)); };
-        const bound_t<W> sizes = size(scaled_into_range<T>(edge(W(0), 0))) * size(scaled_into_range<T>(edge(W(0), 1)));
-        const bound_t<W> across_ray = abs(bound_t<W>(dot(normal, direction))), few(0x1p-20);
-        const mask_t<W> thin = some(size(normal) < few * sizes, across_ray < few * size(normal) * size(direction));
-        if (any(thin)) [[unlikely]]
-            normal = select(thin, vec3<W>(scaled_into_range<T>(across(exact_t<T>(0)))), normal);
-    }
-    return normal;
-}
-
-/// What a flat shape between two such edges says of a point.
+/// What a flat shape between two such edges records of a point.
 /// \param corners  the box around it
 template <class Point, real T, class Edge>
 RAIO_FN constexpr void flat_surface(Point& at, const aabb<T>& corners, Edge edge) {

@@ -17,7 +17,7 @@ RAIO_FN constexpr chord<W> cross_half_space(const bounded_number<W>& height, con
     chord<W> c = between(crosses, t, t);
     c.near.face = c.far.face = face;
     begin_never_where(leaves, c), end_never_where(!leaves, c);
-    return unless(!crosses, c, is_not_negative(-height));
+    return unless_parallel(!crosses, c, is_not_negative(-height));
 }
 
 /// The part of a line between two planes that are parallel.
@@ -30,10 +30,10 @@ RAIO_FN constexpr chord<W> cross_between(const bounded_number<W>& to_low, const 
     const auto crosses = is_positive(abs(speed));
     const mask_t<W> upward = !(speed.value < W(0));
     chord<W> c = between(crosses, choose_where(upward, low, high), choose_where(upward, high, low));
-    if (all(crosses.certainly)) return c;
+    if (all(crosses)) return c;
 
     // A line that is parallel to the planes is between them everywhere or nowhere.
-    return unless(!crosses, c, every(is_not_negative(-to_low), is_not_negative(to_high)));
+    return unless_parallel(!crosses, c, every(is_not_negative(-to_low), is_not_negative(to_high)));
 }
 
 }  // namespace raio

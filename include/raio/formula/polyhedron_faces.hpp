@@ -53,6 +53,10 @@ struct polyhedron_faces {
     }
 
 private:
+    /// Planes that meet at a smaller angle count as parallel, and a point as on a plane that is nearer, as a part of
+    /// the numbers that it is found from.
+    static constexpr double least_angle = 1024 * unit_roundoff<exact>, least_distance = 0x1p20 * unit_roundoff<exact>;
+
     /// The line in which two planes meet, and the part of it that belongs to the polyhedron.
     struct edge_line {
         vec3<exact> point, direction;
@@ -60,7 +64,7 @@ private:
     };
 
     RAIO_FN constexpr edge_line edge(std::size_t i, std::size_t j) const {
-        exact none(0), tiny(1024 * unit_roundoff<exact>);
+        exact none(0), tiny(least_angle);
         const vec3<exact> a(planes[i].normal), b(planes[j].normal), direction = cross(a, b);
         exact length2 = dot(direction, direction);
         if (!(length2 > tiny * dot(a, a) * dot(b, b))) return {direction, direction, {}};  // parallel planes
@@ -72,13 +76,13 @@ private:
             if (k == i || k == j) continue;
             const vec3<exact> n(planes[k].normal);
             exact height = dot(n, point) + exact(planes[k].offset), speed = dot(n, direction);
-            exact slack = tiny * (dot(abs(n), abs(point)) + abs(exact(planes[k].offset)));
+            exact touching = tiny * (dot(abs(n), abs(point)) + abs(exact(planes[k].offset)));
             if (!(abs(speed) > tiny * dot(abs(n), abs(direction)))) {  // or numbers out of range
-                if (height > slack) return {point, direction, {}};
+                if (height > touching) return {point, direction, {}};
             } else if (speed > none) {
-                s.max = min(s.max, (slack - height) / speed);
+                s.max = min(s.max, (touching - height) / speed);
             } else {
-                s.min = max(s.min, (slack - height) / speed);
+                s.min = max(s.min, (touching - height) / speed);
             }
         }
         return {point, direction, s};
@@ -100,13 +104,13 @@ private:
 
     RAIO_FN constexpr bool touches(std::size_t k, const vec3<exact>& p) const {
         const vec3<exact> n(planes[k].normal);
-        exact offset(planes[k].offset), slack(0x1p20 * unit_roundoff<exact>);
-        return abs(dot(n, p) + offset) <= slack * (dot(abs(n), abs(p)) + abs(offset));
+        exact offset(planes[k].offset);
+        return abs(dot(n, p) + offset) <= exact(least_distance) * (dot(abs(n), abs(p)) + abs(offset));
     }
 
     /// Is all of plane i a face, without an edge: does it lie behind all others, which run parallel to it?
     RAIO_FN constexpr bool is_face_without_end(std::size_t i) const {
-        const exact none(0), tiny(1024 * unit_roundoff<exact>);
+        const exact none(0), tiny(least_angle);
         const vec3<exact> n(planes[i].normal);
         exact length2 = dot(n, n);
         if (!(length2 > none)) return false;

@@ -65,7 +65,7 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const D& d, const L& l, const ro
     const auto d2 = square(d);
     const auto axis2 = square(axis);
     const auto k = c2 * inverse(axis2);
-    const auto stretched = [&](const auto& x) { return x + k * x; };
+    const auto stretched = [&](const auto& x) { return x + k * x; };  // (1 + k) x
     const auto g = dot(d, axis);
     const auto a = stretched(n2) - c2 * d2;
     const auto beside = two * c1 * mn + c2 * m2 - stretched(square(dot(m, axis)));
@@ -76,14 +76,14 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const D& d, const L& l, const ro
             return axis2 * (c0 * n2 + beside) + discriminant * square(g);
         }
     }();
-    if (const auto missed = is_above_zero(a, b2_less_ac); may_leave<W>(missed)) return {nowhere<W>(missed), !missed};
+    if (const auto missed = is_above_zero(a, b2_less_ac); all(missed)) return {nowhere<W>(missed), !missed};
 
     const auto over_d2 = inverse(d2);
     const auto w = mn * over_d2;
-    const auto tilt = stretched(w) + c1;
+    const auto tilt = stretched(w) + c1;  // b / g
     const auto constant = [&] { return axis2 * (m2 * over_d2 - c0) - w * (tilt + c1); };
     const auto extent = [&] { return (size_of(axis) + size_of(radius)) * size_of(d) * size_of(over_d2); };
-    // Where the axis meets the surface, a line that is steep enough cannot miss it.
+    // Where the axis meets the surface, so does a line that is steep enough.
     const mask_t<W> on_axis = !is_positive(-discriminant).yes;
     const auto sound = every(is_positive(radius), is_positive(axis2), is_positive(d2));
     hollow_chord<W> chord = where_below_zero(a, g * tilt, b2_less_ac, sound, on_axis, constant, extent);

@@ -22,28 +22,27 @@ template <class W, int M, proven_vector L, proven_vector D>
 [[gnu::always_inline]] RAIO_FN constexpr chord<W> cross_sphere(const L& l, const D& d,
                                                                const rounded_number<W, M>& radius) {
     auto a = square(d);
+    auto b = dot(l, d);
     auto r2 = square(radius);
     auto ar2 = a * radius * radius;
     auto passed2 = square(cross(l, d));
-    auto is_there = every(is_positive(radius), is_positive(ar2));
-    auto crosses = every(is_there, ar2 >= passed2);
-    if (may_leave<W>(some(!is_there.certainly, !crosses.possibly))) return nowhere<W>(!crosses.possibly);
+    auto crosses = every(is_positive(radius), is_positive(ar2), ar2 >= passed2);
+    if (all(!crosses)) return nowhere<W>();
 
-    auto b = dot(l, d);
-    // (The square of a small radius may be too small for a number.)
-    auto c = select(is_positive(r2), square(l) - r2, unknown_number<W>());
-    auto [near, far] = quadratic_roots(a, b, c, sqrt(ar2 - passed2));
-    return between(every(crosses, is_root_told_from_zero(ar2, b)), near, far);
+    auto c = select(is_positive(r2), square(l) - r2, unknown_number<W>());  // r2 may be too small for a number
+    auto [near_end, far_end] = quadratic_roots(a, b, c, sqrt(ar2 - passed2));
+    // From 2^89 radii away nothing can be told of it.
+    return between(every(crosses, is_root_told_from_zero(ar2, b)), near_end, far_end);
 }
 
-/// |p|^2 - radius^2 of a point p as seen from the centre of a sphere: its power (Steiner 1826), c above. Packs of
-/// floats find it in doubles. \tparam Roundings  of each of the numbers given
+/// c = |l|^2 - radius^2, of which packs of floats need more digits than they have: found in double.
+/// \tparam Roundings  of each of the numbers given
 template <int Roundings, class W, class D>
-RAIO_FN constexpr bounded_number<W> power_of_point(const vec3<D>& p, const D& radius) {
+RAIO_FN constexpr bounded_number<W> power_of_point(const vec3<D>& l, const D& radius) {
     using E = bound_t<W>;
-    D p2 = dot(p, p), r2 = radius * radius;
-    W value(p2 - r2);
-    return {value, E(2 * unit_roundoff<W>) * abs(E(value)) + E(8 * Roundings * unit_roundoff<D>) * E(p2 + r2)};
+    D l2 = dot(l, l), r2 = radius * radius;
+    W value(l2 - r2);
+    return {value, E(2 * unit_roundoff<W>) * abs(E(value)) + E(8 * Roundings * unit_roundoff<D>) * E(l2 + r2)};
 }
 
 /// Packs of floats have to know on which side of the sphere a ray starts that starts near it: of b - s and b + s one
@@ -51,18 +50,17 @@ RAIO_FN constexpr bounded_number<W> power_of_point(const vec3<D>& p, const D& ra
 /// \param sum_error  bound of the error of b -+ s
 template <class W>
 RAIO_FN constexpr void tell_side(const mask_t<W>& known, const W& b, const W& s, const bound_t<W>& sum_error,
-                                 const bounded_number<W>& power, bounded_number<W>& near_end,
-                                 bounded_number<W>& far_end) {
+                                 const bounded_number<W>& c, bounded_number<W>& near_end, bounded_number<W>& far_end) {
     using E = bound_t<W>;
     W sum = b + copysign(s, b), over = quotient(W(1), sum, W(0));
-    E size = abs(E(over)), error = E(2) * size * (power.error + size_of(power) * (sum_error * size));
-    bounded_number<W> better(power.value * over, error + E(detail::lost<W>));
+    E size = abs(E(over)), error = E(2) * size * (c.error + size_of(c) * (sum_error * size));
+    bounded_number<W> better(c.value * over, error + E(detail::lost<W>));
     const mask_t<W> starts = every(known, abs(b) < s + s, is_finite(sum), better.error < near_end.error);
     near_end = choose_where(every(starts, sum > W(0)), better, near_end);
     far_end = choose_where(every(starts, sum < W(0)), better, far_end);
 }
 
-/// Do the floats of a shape and its rays leave W, a double, more than half its digits to spare?
+/// Does W, a double, have more than twice the digits of the floats that a shape and its rays are made of?
 template <class W, class T>
 inline constexpr bool has_spare_digits = std::same_as<scalar_t<W>, strict_double>&& std::same_as<scalar_t<T>, float>;
 
@@ -116,13 +114,15 @@ inline constexpr bool looks_in_floats =
 }  // namespace detail
 
 /// The same, with less to do where the line is known to miss, or to cross a sphere less than some ninety radii away.
+/// Leaves of trees spend their time here, so the bounds are derived by hand.
 ///
-/// If s^2 = b^2 - a c is far above its bound, s is off by half of bound / s. And as s is at most |d| radius, |l| |d| is
-/// at most a (l.l + radius^2) / (2 s): what b, b -+ s and the division are off by comes to half of bound / s as well.
+/// If s^2 = b^2 - a c is 2^-13 / u times its bound or more, s is off by half of bound / s. And as s is at most |d|
+/// radius, |l| |d| is at most a (l.l + radius^2) / (2 s): what b, b -+ s and the division are off by comes to half of
+/// bound / s as well.
 ///
 /// What doubles cross goes the other way: of their t more is wanted.
 /// \tparam T     of what the shape and its rays are made
-/// \param power  answers with the `power_of_point` of a point, the ray's origin
+/// \param power  answers with the `power_of_point` of the ray's origin, which it is given
 template <class T, class Line, proven_vector L, proven_vector D, int M, class Power>
 [[gnu::always_inline]] RAIO_FN constexpr auto cross_sphere_along(const Line& line, const L& l, const D& d,
                                                                  const rounded_number<typename Line::number, M>& radius,
@@ -136,15 +136,15 @@ template <class T, class Line, proven_vector L, proven_vector D, int M, class Po
         auto c = square(l) - square(radius);
         auto s2 = square(b) - a * c;
         auto crosses = is_not_negative(s2);
-        if (may_leave<W>(!crosses.possibly)) return nowhere<W>(true);
-        auto [near, far] = quadratic_roots(a, b, c, sqrt(s2));
-        return between(every(is_positive(radius), crosses), near, far);
+        if (all(!crosses)) return nowhere<W>();
+        auto [enters, leaves] = quadratic_roots(a, b, c, sqrt(s2));
+        return between(every(is_positive(radius), crosses), enters, leaves);
     }
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
 
     auto look = detail::look_at_sphere<T, Line>(l, d, radius);
     mask_t<W> passes = look.passes();
-    if (may_leave<W>(passes)) return nowhere<W>(true);
+    if (all(passes)) return nowhere<W>();
     if constexpr (!has_spare_digits<W, T> && !only_sieves<W>) return cross_sphere(l, d, radius);
 
     constexpr double enough = 0x1p-13 / (detail::sphere_roundings<L, D, M> * unit_roundoff<W>);
@@ -173,7 +173,7 @@ template <class Line, real T>
     if constexpr (detail::looks_in_floats<Line, T>) {
         const raio::line<float> quick(line.ray);
         if (detail::look_at_sphere<T, Line>(quick.to(center), quick.direction(), quick.given(radius)).passes()) {
-            return nowhere<W>(true);
+            return nowhere<W>();
         }
     }
     const auto power = [&](const auto& origin) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <raio/formula/polynomial_along.hpp>
 #include <raio/proof/extremum.hpp>
+#include <raio/proof/polynomial_crossings.hpp>
 
 /// \file
 /// Where a line goes into what a sphere sweeps whose centre and radius are cubics, and out of it.

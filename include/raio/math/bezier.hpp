@@ -25,22 +25,11 @@ RAIO_FN constexpr polynomial<W, 3> bezier_from_start(const T& v0, const T& v1, c
     return p;
 }
 
-/// A cubic polynomial and its derivatives at u, and bounds of their magnitudes from 0 to `end`. Each is right to 20
-/// roundings of its bound.
+/// A polynomial and its first two derivatives at a place.
 template <class W>
-struct cubic_near {
-    using E = bound_t<W>;
-
-    W value, slope, bend;
-    E most, fastest, most_bend, most_twist;
-
-    RAIO_FN constexpr cubic_near(const polynomial<W, 3>& p, const W& u, const E& end) {
-        const polynomial<W, 2> first = p.derivative();
-        const polynomial<W, 1> second = first.derivative();
-        value = p(u), slope = first(u), bend = second(u);
-        most = p.magnitude(end), fastest = first.magnitude(end), most_bend = second.magnitude(end);
-        most_twist = second.derivative().magnitude(end);
-    }
-};
+RAIO_FN constexpr std::array<W, 3> derivatives_at(const polynomial<W, 3>& p, const W& u) {
+    const polynomial<W, 2> slope = p.derivative();
+    return {p(u), slope(u), slope.derivative()(u)};
+}
 
 }  // namespace raio

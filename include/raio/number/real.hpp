@@ -79,10 +79,6 @@ using bound_t = typename real_traits<T>::bound;
 template <class W>
 inline constexpr bool only_sieves = !std::same_as<mask_t<W>, bool> && std::floating_point<scalar_t<W>>;
 
-/// Is it packs that take a closer look at what a sieve has let through?
-template <class W>
-inline constexpr bool looks_closer = !std::same_as<mask_t<W>, bool> && std::same_as<scalar_t<W>, strict_double>;
-
 /// `if_true` where the mask is set, `if_false` elsewhere; a pack chooses lane by lane.
 template <std::same_as<bool> Mask, class T>
 RAIO_FN constexpr T select(Mask mask, T if_true, T if_false) {
@@ -228,14 +224,6 @@ RAIO_FN constexpr T max(T a, T b) {
     } else {
         return select(a < b, b, a);
     }
-}
-
-/// What `if_true` finds where the mask is set, and `if_false` elsewhere. What no lane wants to know is not asked.
-template <class Mask, class IfTrue, class IfFalse>
-RAIO_FN constexpr auto find_where(const Mask& mask, IfTrue if_true, IfFalse if_false) {
-    if (all(mask)) return if_true();
-    if (none(mask)) return if_false();
-    return select(mask, if_true(), if_false());
 }
 
 /// x, or -x where `sign` is negative.

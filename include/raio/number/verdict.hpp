@@ -27,6 +27,16 @@ RAIO_FN constexpr Mask is_settled(const verdict<Mask>& a) {
     return some(a.certainly, !a.possibly);
 }
 
+/// Does it hold in every lane, whatever the errors were? May it hold in any?
+template <class Mask>
+RAIO_FN constexpr bool all(const verdict<Mask>& a) {
+    return all(a.certainly);
+}
+template <class Mask>
+RAIO_FN constexpr bool any(const verdict<Mask>& a) {
+    return any(a.possibly);
+}
+
 template <class Mask, std::same_as<verdict<Mask>>... More>
 RAIO_FN constexpr verdict<Mask> every(const verdict<Mask>& a, const More&... more) {
     return {every(a.certainly, more.certainly...), every(a.possibly, more.possibly...), every(a.yes, more.yes...)};

@@ -41,7 +41,7 @@ using chords_for_t = typename chords_for<W, Wanted>::type;
 /// Is nothing left to find out: does every lane's line miss, beyond doubt?
 template <class W>
 RAIO_FN constexpr bool missed(const chord<W>& c) {
-    return may_leave<W>(every(!c.near.exists, !c.far.exists, c.near.certain, c.far.certain));
+    return all(every(!c.near.exists, !c.far.exists, c.near.certain, c.far.certain));
 }
 
 template <class W>
@@ -102,12 +102,6 @@ RAIO_FN constexpr root_pair<W> quadratic_roots(const A& a, const bounded_number<
     return {near, far};
 }
 
-/// Which lanes' lines miss, beyond doubt?
-template <class W>
-RAIO_FN constexpr mask_t<W> is_certainly_missed(const chord<W>& c) {
-    return every(c.near.certain, !c.near.exists);
-}
-
 /// The same chord, but only if this holds as well.
 template <class W>
 RAIO_FN constexpr chord<W> only_if(const verdict<mask_t<W>>& holds, chord<W> c) {
@@ -120,9 +114,9 @@ RAIO_FN constexpr chord<W> only_if(const verdict<mask_t<W>>& holds, chord<W> c) 
     return c;
 }
 
-/// The chord of a line that misses, or may miss.
+/// The chord of a line that misses; beyond doubt, unless it says otherwise.
 template <class W>
-RAIO_FN constexpr chord<W> nowhere(const mask_t<W>& certain) {
+RAIO_FN constexpr chord<W> nowhere(const mask_t<W>& certain = mask_t<W>(true)) {
     const mask_t<W> no = W(0) != W(0);
     const crossing<W> none{no, certain, W(0), bound_t<W>(0), no};
     return {none, none};
@@ -162,7 +156,8 @@ RAIO_FN constexpr void keep_going_where(const mask_t<W>& where, chord<W>& c) {
 
 /// A chord, unless the line is parallel to what it ends at: then all of the line is inside, or nothing.
 template <class W>
-RAIO_FN constexpr chord<W> unless(const verdict<mask_t<W>>& parallel, chord<W> c, const verdict<mask_t<W>>& inside) {
+RAIO_FN constexpr chord<W> unless_parallel(const verdict<mask_t<W>>& parallel, chord<W> c,
+                                           const verdict<mask_t<W>>& inside) {
     const mask_t<W> along = parallel.yes, exists = every(along, answer_of<W>(inside));
     const mask_t<W> known = every(is_settled(parallel), some(!along, is_settled(inside)));
     const auto put = [&](crossing<W>& end) {
@@ -232,6 +227,32 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
              a.far.v, shared(b_leaves_first, a.far, b.far)}};
 }
 
+/// The crossing, if it lies on the chord.
+template <class W>
+RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
+    W before = c.t - slab.near.t, after = slab.far.t - c.t;
+    using E = bound_t<W>;
+    E before_error = c.error + slab.near.error, after_error = c.error + slab.far.error;
+    E size = abs(E(slab.near.t)) + abs(E(slab.far.t));  // of its t, as in polyhedra: what is between may be a point
+    const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
+    const mask_t<W> between = every(before > before_error, after > after_error);
+    c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
+    c.exists =
+        every(c.exists, slab.near.exists, before >= -tie<W>(before_error, size), after >= -tie<W>(after_error, size));
+    return c;
+}
+
+/// What a convex solid leaves of a surface: of a closed one the chord that both share, of an open one each crossing on
+/// its own, if it lies in the solid.
+template <bool Closed, class W>
+RAIO_FN constexpr chord<W> cut(const chord<W>& c, const chord<W>& solid) {
+    if constexpr (Closed) {
+        return intersect(c, solid);
+    } else {
+        return {within(solid, c.near), within(solid, c.far)};
+    }
+}
+
 /// The chord of the points between two parallel faces, low <= x <= high, from what the ray has of x. A line that runs
 /// along them is between them everywhere or nowhere. That is asked of the origin, and not of a quotient: 0 / 0 would
 /// answer neither. So is a line that would take more than W can say to cross anything.
@@ -266,23 +287,23 @@ RAIO_FN constexpr chord<W> between_faces(const R& origin, const R& direction, co
     return c;
 }
 
-/// Keeps only ends whose point T can say.
+/// Keeps only ends whose point has coordinates in the range of T.
 template <real T, class Line, class W>
-RAIO_FN constexpr void keep_if_reachable(const Line& line, chord<W>& c) {
+RAIO_FN constexpr void keep_if_in_range(const Line& line, chord<W>& c) {
     using E = bound_t<W>;
     if constexpr (is_believed<W>) return;
     E reach = max(abs(E(c.near.t)), abs(E(c.far.t))) + max(c.near.error, c.far.error);
     E farthest = detail::most_of(line.origin()) + detail::most_of(line.direction()) * reach;
     // Both are, errors included: the half of what is asked for below leaves room for the roundings here.
     if (all(farthest < E(std::numeric_limits<scalar_t<T>>::max() / 4))) return;
-    keep_if_reachable<T>(line, c.near);
-    keep_if_reachable<T>(line, c.far);
+    keep_if_in_range<T>(line, c.near);
+    keep_if_in_range<T>(line, c.far);
 }
 
 template <real T, class Line, class W>
-RAIO_FN constexpr void keep_if_reachable(const Line& line, chord_pair<W>& c) {
-    keep_if_reachable<T>(line, c.first);
-    keep_if_reachable<T>(line, c.second);
+RAIO_FN constexpr void keep_if_in_range(const Line& line, chord_pair<W>& c) {
+    keep_if_in_range<T>(line, c.first);
+    keep_if_in_range<T>(line, c.second);
 }
 
 }  // namespace raio

@@ -156,7 +156,7 @@ RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, cons
 
 /// No crossing, beyond doubt.
 template <class W>
-RAIO_FN constexpr crossing<W> missed_for_sure() {
+RAIO_FN constexpr crossing<W> no_crossing() {
     const mask_t<W> no = W(0) != W(0);
     return {.exists = no, .certain = !no, .t = W(0), .error = bound_t<W>(0), .entering = no, .missed = true};
 }
@@ -176,21 +176,26 @@ RAIO_FN constexpr crossing<W> located(crossing<W> c, const bounded_number<W>& pl
     return c;
 }
 
+/// How far that place may be off. Where double says that it is not, as of the end of a curve, it may be as far off as t
+/// does not tell.
+/// \param unnoticed  says how far that is, from what t is off by
+template <class W, class Unnoticed>
+RAIO_FN constexpr W error_of_place(const crossing<W>& c, Unnoticed unnoticed) {
+    if constexpr (!last_precision<W>) {
+        if (!(c.v > W(0))) return unnoticed(W(c.error));
+    }
+    return c.v;
+}
+
 /// The point at t, as seen from another.
 template <class W, real R, real T>
 RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, const W& t) {
     return difference_as<W>(ray.origin, base) + product_as<W>(ray.direction, t);
 }
 
-/// Is every lane out, so that the rest of a formula may be left?
-template <class W>
-RAIO_FN constexpr bool may_leave(const mask_t<W>& out) {
-    return all(out);
-}
-
-/// Keeps only crossings whose point T can say: those of a shape without end may lie beyond its largest number.
+/// Keeps only crossings whose point has coordinates in the range of T: a shape without end may be crossed beyond it.
 template <real T, class Line, class W>
-RAIO_FN constexpr void keep_if_reachable(const Line& line, crossing<W>& c) {
+RAIO_FN constexpr void keep_if_in_range(const Line& line, crossing<W>& c) {
     if constexpr (is_believed<W>) return;
     bound_t<W> speed = detail::most_of(line.direction());
     bound_t<W> farthest = detail::most_of(line.origin()) + speed * abs(bound_t<W>(c.t));

@@ -85,7 +85,7 @@ struct crossing_list {
         for (const polynomial_root<W>& root : roots) each(root);
     }
 
-    /// The same, if there is one at that place: u and v say where on the surface.
+    /// Takes over a root, if there is one at that place: u and v say where on the surface.
     RAIO_FN constexpr void append(const verdict<bool>& exists, const bounded_number<W>& t,
                                   const polynomial_root<W>& root, const W& u, const W& v) {
         depends_on(exists);
@@ -188,12 +188,12 @@ RAIO_FN constexpr crossing_list<W, 4> listed(const chord_pair<W>& c) {
     return list;
 }
 
-/// Keeps only crossings whose point T can say.
+/// Keeps only crossings whose point has coordinates in the range of T.
 template <real T, class Line, class W, std::size_t N>
-RAIO_FN constexpr void keep_if_reachable(const Line& line, crossing_list<W, N>& list) {
+RAIO_FN constexpr void keep_if_in_range(const Line& line, crossing_list<W, N>& list) {
     std::size_t kept = 0;
     for (crossing<W> c : list) {
-        keep_if_reachable<T>(line, c);
+        keep_if_in_range<T>(line, c);
         if (c.exists) list.crossings[kept++] = c;
     }
     list.count = kept;

@@ -6,9 +6,9 @@
 
 namespace raio {
 
-/// Is a point known to a part of a size?
+/// Is a point known to less than a 2^13th of a size? So far away that it is not, places cannot be told apart.
 template <class W>
-RAIO_FN constexpr verdict<mask_t<W>> is_known_within(const bounded_vector<W>& p, const given_number<W>& size) {
+RAIO_FN constexpr verdict<mask_t<W>> is_located(const bounded_vector<W>& p, const given_number<W>& size) {
     const mask_t<W> known = p.error < bound_t<W>(0x1p-13) * size_of(size);
     return {known, W(0) == W(0), known};
 }
@@ -77,7 +77,7 @@ RAIO_FN constexpr line_part<W> part_of(const Line& line, const verdict<bool>& pa
         turn = direction.error * size_of(half);
     }
     from.error = norm1(error) + E(3) * E(reach) * turn;
-    const verdict<bool> found = every(passes, is_known_within(from, size));
+    const verdict<bool> found = every(passes, is_located(from, size));
     return {found.yes,
             is_settled(found),
             {from.x, from.y, from.z},
@@ -87,6 +87,27 @@ RAIO_FN constexpr line_part<W> part_of(const Line& line, const verdict<bool>& pa
             half.value,
             reach,
             turn};
+}
+
+/// The part of a line that passes a ball; the point at x is seen from `base`, where the shape's x = y = z = 0.
+/// \param center  of the ball, as near to it as 2^-12 of the radius
+template <class W, class Line, real T>
+RAIO_FN constexpr line_part<W> part_near(const Line& line, const vec3<T>& base, const vec3<W>& center,
+                                         const W& radius) {
+    const auto d = line.direction();
+    const auto l = line.to(center);
+    // A little more than the ball, so that whatever it contains is clearly within.
+    const auto size = line.given(radius * W(1 + 0x1p-8));
+    const auto d2 = square(d);
+    const auto size2 = square(size);
+    const auto passes = every(is_positive(size), is_positive(d2), d2 * size2 >= square(cross(l, d)));
+    if (!passes.yes) return {false, is_settled(passes)};
+
+    // A line that starts within the ball is seen from its origin: what is close to it keeps its digits.
+    const bool starts_within = (square(l) <= size2).yes;
+    const auto middle = starts_within ? line.given(W(0)) : as_given(dot(l, d) * inverse(d2));
+    const auto half = as_given(size * inverse(sqrt(d2)));
+    return part_of(line, every(passes, is_positive(half)), base, size, middle, half, W(starts_within ? 2 : 1));
 }
 
 }  // namespace raio

@@ -3,8 +3,12 @@
 #include <raio/proof/line_part.hpp>
 
 /// \file
-/// From the roots of a polynomial along a part of a line to the crossings with the surface where it is zero, and what
-/// is certain of them. The solid is where the polynomial is negative.
+/// Where a line crosses an algebraic surface f(p) = 0, whose solid is where f is negative.
+///
+/// Along a line f is a polynomial. Its coefficients are those of a part of the line that lies near the shape and has
+/// its size: p(x) = from + x along, t = middle + x half. So no power of a far origin cancels, and all that counts lies
+/// between x = -1 and 1. The coordinates of p(x) are polynomials of degree 1, and f is computed with them as with
+/// numbers (math/polynomial.hpp); its roots are isolated (math/polynomial_roots.hpp).
 
 namespace raio {
 
@@ -181,5 +185,26 @@ struct piecewise_walk {
         list.append(c.t, c.error, entering);
     }
 };
+
+/// A box, and around it what 106 bits cannot tell from the tips of what is swept in it.
+template <real T>
+RAIO_FN constexpr aabb<T> with_room_for_tips(const aabb<T>& box) {
+    const vec3<T> room(T(0x1p-40) * norm1(vec3<T>(box.max - box.min)));
+    return {box.min - room, box.max + room};
+}
+
+/// How far a point may be off besides, of a surface of that size that is found by the roots of a polynomial: beyond
+/// that all is certain, where what is swept is no thinner than 2^-30 of the size.
+template <real T>
+RAIO_FN constexpr T error_of_sweep(const T& size) {
+    return T(0x1p-60) * size;
+}
+
+/// And how far a tangent may be off, at which there is no certain root.
+template <class Point>
+RAIO_FN constexpr auto error_of_tangent(const Point& at) {
+    using T = std::remove_cvref_t<decltype(at.point().x)>;
+    return last_precision<typename Point::number> ? T(at.blur()) : T(0);
+}
 
 }  // namespace raio

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include <raio/formula/polynomial_along.hpp>
+#include <raio/proof/polynomial_crossings.hpp>
 #include <raio/shape/box.hpp>
 
 namespace raio {

@@ -45,13 +45,8 @@ struct bezier_curve {
         return inside_of(*this, ray);
     }
 
-    /// Around the spheres of the control points: each one that is swept is a mean of them. And around the tips, which
-    /// even 106 bits cannot tell from a little beyond.
-    RAIO_FN constexpr aabb<T> bounds() const {
-        const aabb<T> box = around_controls();
-        vec3<T> blur(T(0x1p-40) * norm1(vec3<T>(box.max - box.min)));
-        return padded(padded(aabb<T>{box.min - blur, box.max + blur}));
-    }
+    /// Around the spheres of the control points: each one that is swept is a mean of them.
+    RAIO_FN constexpr aabb<T> bounds() const { return padded(padded(with_room_for_tips(around_controls()))); }
 
     template <class Line>
     RAIO_FORMULA constexpr crossing_list<typename Line::number, 14> crossings(const Line& line) const {
@@ -79,28 +74,17 @@ struct bezier_curve {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        const raio::crossing<W>& c = at.crossing();
         vec3<W> from_center = at.from(p0), ahead(W(0));
-        // The normal depends on more digits of u than t does. What double takes for an end may be a turn before it.
-        const sphere_near<W> found = sphere_at(from_center, c.u, bound_t<W>(0));
-        W longest = c.v;
-        if constexpr (!last_precision<W>) {
-            if (!(longest > W(0))) longest = found.unnoticed(at.direction() * W(c.error));
-        }
-        W u = max(W(0), min(W(1), c.u + found.further(longest)));
+        const W u = parameter_of(at, from_center);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const polynomial<W, 3> center = coordinate<W>(axis);
             from_center[axis] -= center(u), ahead[axis] = center.derivative()(u);
         }
         const aabb<T> box = around_controls();
         const T size = norm1(vec3<T>(box.max - box.min));
-        // From where on s is certain, of a curve of 2^-30 of its length; or as far as a tangent may be off, at which
-        // such an s has no certain root.
-        T apart = T(0x1p-60) * size;
-        if constexpr (last_precision<W>) apart = max(apart, T(at.blur()));
 
         at.record_point(size);
-        at.add_error(apart);
+        at.add_error(max(error_of_sweep(size), error_of_tangent(at)));
         at.keep_in([this] { return bounds(); });
         at.record_gradient(from_center);
         at.record_uv([&] {
@@ -118,45 +102,32 @@ private:
         return hull(hull(around(p0, r0), around(p1, r1)), hull(around(p2, r2), around(p3, r3)));
     }
 
-    /// The sphere of u, and what a point p makes of it, b as seen from its centre C: the level g = |b|^2 - r^2 is zero
-    /// at a crossing, and so is its slope
+    /// The parameter of the sphere that a point p lies on. A normal asks for more digits of u than t does: with b from
+    /// the centre of the sphere to p, the level |b|^2 - r^2 is zero at a crossing, and so is its slope,
     ///
-    ///     g_u / -2 = h = b.C' + r r',    with the slope  h_u = b.C'' - C'.C' + r'^2 + r r''
+    ///     -2 h,    h = b.C' + r r',    of which the slope is  h_u = b.C'' - C'.C' + r'^2 + r r''
     ///
-    /// unless u is an end of the curve.
-    template <class W>
-    struct sphere_near {
-        std::array<cubic_near<W>, 3> center;
-        cubic_near<W> radius;
-        W h, h_u;
-        vec3<W> b{};  ///< p, as seen from the centre
-
-        /// How far on the sphere is of which h is 0: one step of Newton's method, if it is no longer than that.
-        RAIO_FN constexpr W further(const W& longest) const {
-            return max(-longest, min(longest, -quotient(h, h_u, W(0))));
+    /// unless u is an end of the curve. One step of Newton's method finds more digits.
+    /// \param p  as seen from p0
+    template <class Point, class W = typename Point::number>
+    RAIO_FN constexpr W parameter_of(const Point& at, const vec3<W>& p) const {
+        const W u = at.crossing().u;
+        const auto [r, widening, flare] = derivatives_at(radii<W>(), u);
+        W h = r * widening, h_u = widening * widening + r * flare;
+        vec3<W> b(W(0));
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const auto [c, slope, bend] = derivatives_at(coordinate<W>(axis), u);
+            b[axis] = p[axis] - c;
+            h += b[axis] * slope, h_u += b[axis] * bend - slope * slope;
         }
-
-        /// How far from a turn of t a sphere can be without t telling them apart, if p may be off by a step: that
-        /// changes the level by no more than 2 b.step + step^2, and u does by -h_u u^2.
-        RAIO_FN constexpr W unnoticed(const vec3<W>& step) const {
+        // If p moves by a step, the level changes by no more than 2 b.step + step^2, and if u does, by -h_u u^2: so far
+        // from a turn of t a sphere can be without t telling them apart.
+        const W longest = error_of_place(at.crossing(), [&](const W& t_error) {
+            const vec3<W> step = at.direction() * t_error;
             const W change = abs(dot(b, step)) * W(2) + dot(step, step);
             return h_u < W(0) ? sqrt(change / -h_u) : W(0);
-        }
-    };
-
-    /// \param p    as seen from p0
-    /// \param end  how far along the curve bounds are wanted
-    template <class W>
-    RAIO_FN constexpr sphere_near<W> sphere_at(const vec3<W>& p, const W& u, const bound_t<W>& end) const {
-        const auto center = [&](glm::length_t axis) { return cubic_near<W>(coordinate<W>(axis), u, end); };
-        const cubic_near<W> r(radii<W>(), u, end);
-        sphere_near<W> s{{center(0), center(1), center(2)}, r, r.value * r.slope, r.slope * r.slope + r.value * r.bend};
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            const cubic_near<W>& c = s.center[static_cast<std::size_t>(axis)];
-            s.b[axis] = p[axis] - c.value;
-            s.h += s.b[axis] * c.slope, s.h_u += s.b[axis] * c.bend - c.slope * c.slope;
-        }
-        return s;
+        });
+        return max(W(0), min(W(1), u + max(-longest, min(longest, -quotient(h, h_u, W(0))))));
     }
 
     RAIO_FN constexpr bool is_sound() const {

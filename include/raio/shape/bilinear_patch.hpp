@@ -77,15 +77,14 @@ struct bilinear_patch {
         vec3<Q> direction = normalize_from<T>(vec3<Q>(at.direction()));
         const Q side(at.entering() ? 1 : -1);
         // The three are independent unless the patch is flat: only then the normal may vanish, at a corner without an
-        // edge or on a fold, and is that of the plane. Much smaller than its terms it is rounding for the most part.
-        if (norm1(outward) <= Q(0x1p12 * unit_roundoff<Q>) * (norm1(aw) + norm1(at_u) + norm1(at_v))) {
+        // edge or on a fold, and is that of the plane.
+        if (is_mostly_rounding(outward, norm1(aw) + norm1(at_u) + norm1(at_v))) {
             const auto larger = [](const vec3<W>& x, const vec3<W>& y) { return norm1(x) < norm1(y) ? y : x; };
             outward = vec3<Q>(larger(cross(scaled_u, scaled_v),
                                      larger(cross(scaled_u, scaled_twist), cross(scaled_twist, scaled_v))));
             outward = outward * (copysign(Q(1), dot(outward, direction)) * -side);
         }
-        // Where rounding has turned it along the ray, it is mirrored.
-        outward -= direction * (Q(2) * max(Q(0), dot(outward, direction) * side) * side);
+        outward = mirrored_against(outward, direction, side);
         at.record_point(T(size));
         at.keep_between(corners());
         at.record_normal(outward);
@@ -138,17 +137,17 @@ private:
         for (const polynomial_root<W>& root : roots) {
             const auto u = root.place();
             const auto is_on_way = abs(u - half) <= half;
-            if (may_leave<W>(!is_on_way.possibly)) continue;
+            if (all(!is_on_way)) continue;
             const auto from = a + edge * u;
             const auto along = w + twist * u;
             const auto m = cross(d, from);
             const auto n = cross(d, along);
             const auto size = norm1(n);
             const auto is_between = every(is_on_way, norm1(m + m + n) <= size);
-            if (may_leave<W>(!is_between.possibly)) continue;
+            if (all(!is_between)) continue;
             // A ray that runs along the line lies in the surface, unless the line is a point.
             auto crosses = is_positive(size);
-            if (!crosses.certainly) crosses = some(crosses, !is_positive(square(along)));
+            if (!all(crosses)) crosses = some(crosses, !is_positive(square(along)));
             const auto v = held_between(-ratio(m, n), W(0), W(1));
             const auto t = (dot(from, d) + v * dot(along, d)) * inverse(d2);
             // Where f only touches zero, the line is crossed twice: in the order of u, or against it.

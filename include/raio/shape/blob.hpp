@@ -3,7 +3,8 @@
 #include <array>
 
 #include <raio/concepts.hpp>
-#include <raio/formula/polynomial_along.hpp>
+#include <raio/formula/box_faces.hpp>
+#include <raio/proof/polynomial_crossings.hpp>
 
 namespace raio {
 
@@ -132,14 +133,10 @@ struct blob {
             if (within > W(0)) outwards += beside * over_r * (W(m.strength) * within * over_r);
         }
         const aabb<T> box = bounds();
-        vec3<T> size = box.max - box.min;
-        at.record_point(norm1(size));
+        at.record_point(norm1(box.max - box.min));
         at.keep_in([&] { return box; });
         at.record_gradient(outwards);
-        at.record_uv([&] {
-            const auto place = [](T x, T low, T all) { return max(T(0), min(T(1), (x - low) / all)); };
-            return vec2<T>(place(at.point().x, box.min.x, size.x), place(at.point().y, box.min.y, size.y));
-        });
+        at.record_uv([&] { return detail::uv_across(box, index_t<T>(3), at.point()); });
     }
 
 private:

@@ -58,7 +58,7 @@ struct box {
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         using W = typename Line::number;
-        if constexpr (!Line::is_exact) {
+        if constexpr (!Line::is_exact) {  // of a ray that was mapped
             const auto to_min = line.to(min);
             const auto to_max = line.to(max);
             const auto direction = line.direction();
@@ -144,8 +144,7 @@ private:
             const mask_t<W> in_range = is_finite(abs(all_ways) + W(16) * norm1(d));
             certain = every(certain, has_quotient(d.x), has_quotient(d.y), has_quotient(d.z), in_range);
         }
-        if (may_leave<W>(!meets))
-            return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
+        if (all(!meets)) return {{meets, certain, near, near_error, meets}, {meets, certain, far, far_error, meets}};
 
         const mask_t<W> exists = every(meets, has_faces(), is_finite(ray.origin), is_finite(ray.direction));
         const auto axis_of = [](const W& t, const W& t_x, const W& t_y) {

@@ -48,14 +48,14 @@ struct capsule {
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         auto c = detail::cross_endless_cylinder(base, top, radius, line);
         const auto axis2 = square(line.between(base, top));
-        if (missed(c) && all(is_positive(axis2).certainly)) return c;  // without an axis there still is a sphere
+        if (missed(c) && all(is_positive(axis2))) return c;  // without an axis there still is a sphere
         c = intersect(c, detail::cross_cap_planes(base, top, line));
         c = detail::with_round_ends(c, low_end(), high_end(), line);
         // Of an axis 2^60 radii long the axis is all that can be seen, and it has no normal.
         const auto r = line.given(radius);
         const auto slim = line.given(T(0x1p-120));
         c = only_if(r * r >= axis2 * slim, c);
-        keep_if_reachable<T>(line, c);
+        keep_if_in_range<T>(line, c);
         return c;
     }
 

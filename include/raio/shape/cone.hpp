@@ -3,7 +3,7 @@
 #include <raio/shape/frustum.hpp>
 
 /// \file
-/// Both cones: with its base one is a solid, without it a funnel. The apex belongs to them; its normal is the axis.
+/// The cone: with its base it is a solid, without it a funnel. The apex belongs to it; its normal is the axis.
 ///
 /// With the axis A from the apex down to the base, a point p of the cone, as seen from the apex, is at the height h =
 /// p.A / A.A, 0 at the apex and 1 at the base, and at the distance rho = radius h from the axis: rho^2 = radius^2 h^2.
@@ -21,9 +21,9 @@
 /// line that is steeper than the generators crosses both, each once, and is inside of ours from its crossing on, down
 /// the axis. One that is less steep crosses the same nappe twice. One that is parallel to a generator crosses once.
 ///
-/// What they record is what frusta do whose upper radius is 0. Faces are counted side, base. uv of the side: u is the
-/// angle about the axis, from the x axis of `frame_about(axis)`; v the height, 0 at the base and 1 at the apex. uv of
-/// the base: the same u, and v the distance from the axis over the radius.
+/// What it records is what a frustum does whose upper radius is 0. Faces are counted side, base. uv of the side: u is
+/// the angle about the axis, from the x axis of `frame_about(axis)`; v the height, 0 at the base and 1 at the apex. uv
+/// of the base: the same u, and v the distance from the axis over the radius.
 
 namespace raio {
 
@@ -36,19 +36,21 @@ RAIO_FN constexpr auto cross_endless_cone(const vec3<T>& base, const vec3<T>& ap
     const auto d = line.direction();
     const auto axis = line.between(apex, base);
     const zero_number<typename Line::number> none;
-    return one_nappe(cross_quadric(d, line.to(apex), axis, turned_conic{none, none, r * r, none}, r), dot(d, axis));
+    const turned_conic nappes{none, none, r * r, none};  // c0, c1, c2 and c1^2 - c0 c2
+    return one_nappe(cross_quadric(d, line.to(apex), axis, nappes, r), dot(d, axis));
 }
 
 }  // namespace detail
 
-/// The points between a disc and an apex over its centre: closed, a solid.
-template <real T>
+/// The points between a disc and an apex over its centre: a solid; or, if it is not `Closed`, only the side, up to its
+/// rim, which belongs to it, seen from both sides.
+template <real T, bool Closed = true>
 struct cone {
     using number = T;
 
-    vec3<T> base;  ///< the centre of the cap
+    vec3<T> base;  ///< the centre of the base
     vec3<T> apex;
-    T radius;  ///< a length; the cone is missed unless it is positive and base and apex differ
+    T radius;  ///< of the base; the cone is missed unless it is positive and base and apex differ
 
     template <record Record>
     RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
@@ -59,23 +61,25 @@ struct cone {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const requires(Closed) { return inside_of(*this, ray); }
 
     RAIO_FN constexpr aabb<T> bounds() const { return as_frustum().bounds(); }
 
     RAIO_FN constexpr T area() const { return as_frustum().area(); }
 
-    /// u.x chooses between the side and the base, and what is left of it is the angle.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::same_as<mask_t<T>, bool>) {
+    /// u.x turns about the axis, u.y is the area between the base and the point. With its base, u.x chooses between the
+    /// side and that first, and what is left of it is the angle.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const
+        requires(!Closed || std::same_as<mask_t<T>, bool>) {
         return as_frustum().sample(u);
     }
 
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        auto nappe = detail::cross_endless_cone(base, apex, radius, line);
-        if (missed(nappe)) return nappe;
-        auto c = intersect(nappe, detail::cross_cap_planes(base, apex, line));
-        keep_if_reachable<T>(line, c);
+        auto endless = detail::cross_endless_cone(base, apex, radius, line);
+        if (missed(endless)) return endless;
+        auto c = cut<Closed>(endless, detail::cross_cap_planes(base, apex, line));
+        keep_if_in_range<T>(line, c);
         return c;
     }
 
@@ -90,56 +94,11 @@ struct cone {
     }
 
 private:
-    RAIO_FN constexpr frustum<T> as_frustum() const { return {base, apex, radius, T(0)}; }
+    RAIO_FN constexpr frustum<T, Closed> as_frustum() const { return {base, apex, radius, T(0)}; }
 };
 
-/// The side of a cone, seen from both sides.
+/// The side alone.
 template <real T>
-struct open_cone {
-    using number = T;
-
-    vec3<T> base;  ///< the centre of the rim, which belongs to the cone
-    vec3<T> apex;
-    T radius;  ///< a length; the cone is missed unless it is positive and base and apex differ
-
-    template <record Record>
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
-        return first_hit(*this, ray, t_min, t_max, rec);
-    }
-
-    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return any_hit(*this, ray, t_min, t_max);
-    }
-
-    RAIO_FN constexpr aabb<T> bounds() const { return as_frustum().bounds(); }
-
-    RAIO_FN constexpr T area() const { return as_frustum().area(); }
-
-    /// u.x turns about the axis, u.y is the area between the base and the point.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const { return as_frustum().sample(u); }
-
-    template <class Line>
-    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        auto c = detail::cross_endless_cone(base, apex, radius, line);
-        if (missed(c)) return c;
-        const auto slab = detail::cross_cap_planes(base, apex, line);
-        c = {detail::within(slab, c.near), detail::within(slab, c.far)};
-        keep_if_reachable<T>(line, c);
-        return c;
-    }
-
-    template <class Point>
-    RAIO_FN constexpr void surface(Point& at) const {
-        as_frustum().surface(at);
-    }
-
-    template <class Point>
-    RAIO_FN constexpr auto is_close_to_tip(const Point& at) const {
-        return as_frustum().is_close_to_tip(at);
-    }
-
-private:
-    RAIO_FN constexpr open_frustum<T> as_frustum() const { return {base, apex, radius, T(0)}; }
-};
+using open_cone = cone<T, false>;
 
 }  // namespace raio

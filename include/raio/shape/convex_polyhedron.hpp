@@ -113,10 +113,10 @@ struct convex_polyhedron {
             const auto height = dot(n, origin) + line.given(plane.offset);
             const auto speed = dot(n, line.direction());
             c = intersect(c, cross_half_space(height, speed, face));
-            if (all(is_certainly_missed(c))) break;
+            if (missed(c)) break;
             face = face + index_t<W>(1);
         }
-        keep_if_reachable<T>(line, c);
+        keep_if_in_range<T>(line, c);
         return c;
     }
 

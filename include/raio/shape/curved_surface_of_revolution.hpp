@@ -33,7 +33,7 @@ struct revolved_piece<T, 3> {
         if (!part.exists) return list;
         list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
         list.start_at_origin();
-        keep_if_reachable<T>(line, list);
+        keep_if_in_range<T>(line, list);
         return list;
     }
 
@@ -48,7 +48,7 @@ struct revolved_piece<T, 3> {
         const T high = max(max(abs(p0.y), abs(p1.y)), max(abs(p2.y), abs(p3.y)));
         const T size = widest + norm1(axis) * high;
         at.record_point(size);
-        at.add_error(T(0x1p-60) * size);  // from where on a crossing is certain, of a radius of 2^-20 of the size
+        at.add_error(error_of_sweep(size));
         at.record_gradient(outward_normal(curve, s, p));
         at.record_uv([&] {
             const vec3<W> e = curve.axis();

@@ -2,20 +2,19 @@
 
 #include <raio/concepts.hpp>
 #include <raio/formula/axis.hpp>
-#include <raio/formula/quadric.hpp>
 #include <raio/proof/line.hpp>
 #include <raio/surface_sample.hpp>
 
 /// \file
-/// Both cylinders: with its caps it is a solid, without them a tube.
+/// The cylinder: with its caps it is a solid, without them a tube.
 ///
 /// With the axis A = top - base and l = base - origin, the distance of the point at t from the axis is |(t d - l) x A|
 /// / |A|. It is the radius at
 ///
-///     t = (b -+ s) / a,   n = d x A,  a = n.n,  b = (l x A).n,   s^2 = A.A (a radius^2 - (A.(l x d))^2)
+///     t = (b -+ s) / a,   n = d x A,  a = n.n,  b = (l x A).n,   s^2 = A.A (a radius^2 - (l.n)^2)
 ///
-/// |A.(l x d)| / |n| is the distance at which the two lines pass each other: like the sphere's, the discriminant is
-/// free of differences of large squares. A line parallel to the axis, n = 0, is inside everywhere or nowhere.
+/// |l.n| / |n| is the distance at which the line passes the axis: like the sphere's, the discriminant is free of
+/// differences of large squares. A line parallel to the axis, n = 0, is inside everywhere or nowhere.
 ///
 /// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
 /// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
@@ -25,7 +24,7 @@ namespace raio {
 
 namespace detail {
 
-/// The chord through the endless cylinder.
+/// The chord through the cylinder without its ends.
 template <class Line, real T>
 RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>& top, const T& radius,
                                               const Line& line) {
@@ -40,34 +39,28 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
     const auto ar2 = a * (r * r);
     const auto passed2 = square(dot(l, n));
     const auto crosses = every(is_positive(r), is_positive(ar2), ar2 >= passed2);
-    const auto is_apart = is_positive(a);
-    if (may_leave<W>(every(is_apart.certainly, !crosses.possibly))) return nowhere<W>(true);
+    const auto is_slanted = is_positive(a);  // not parallel to the axis
+    if (all(every(is_slanted, !crosses))) return nowhere<W>();
 
     const auto axis2 = square(axis);
     const auto inner2 = axis2 * (r * r);
     const auto beside2 = square(m);
-    const auto [near, far] = quadratic_roots(a, dot(m, n), beside2 - inner2, sqrt(axis2 * (ar2 - passed2)));
-    if (all(is_apart.certainly)) return between(crosses, near, far);
+    const auto [enters, leaves] = quadratic_roots(a, dot(m, n), beside2 - inner2, sqrt(axis2 * (ar2 - passed2)));
+    if (all(is_slanted)) return between(crosses, enters, leaves);
 
-    const auto inside = every(is_positive(r), is_positive(inner2), beside2 <= inner2);
-    return unless(!is_apart, between(crosses, near, far), inside);
-}
-
-/// What both cylinders say of a point.
-template <class Point, real T>
-RAIO_FN constexpr void cylinder_surface(Point& at, const vec3<T>& base, const vec3<T>& top, T radius) {
-    axial_surface(at, base, top, vec2<T>(radius), radius, [](const auto& from_axis, const auto&) { return from_axis; });
-    at.keep_in([&] { return axial_bounds(base, top, vec2<T>(radius)); });
+    const auto is_inside = every(is_positive(r), is_positive(inner2), beside2 <= inner2);
+    return unless_parallel(!is_slanted, between(crosses, enters, leaves), is_inside);
 }
 
 }  // namespace detail
 
-/// The points at most `radius` from the segment between the centres of the caps, and between the caps: closed, a solid.
-template <real T>
+/// The points at most `radius` from the axis between base and top: a solid; or, if it is not `Closed`, only the side, a
+/// tube up to its rims, which belong to it, seen from both sides.
+template <real T, bool Closed = true>
 struct cylinder {
     using number = T;
 
-    vec3<T> base, top;  ///< the centres of the two caps
+    vec3<T> base, top;  ///< the centres of both ends
     T radius;           ///< a length; the cylinder is missed unless it is positive and base and top differ
 
     template <record Record>
@@ -79,15 +72,28 @@ struct cylinder {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const requires(Closed) { return inside_of(*this, ray); }
 
     RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(radius)); }
 
-    RAIO_FN constexpr T area() const { return T(2 * pi<T>) * radius * (length(top - base) + radius); }
+    RAIO_FN constexpr T area() const {
+        const T height = length(top - base);
+        return T(2 * pi<T>) * radius * (Closed ? height + radius : height);
+    }
+
+    /// Unrolled the tube is a rectangle: `u` is its uv.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(!Closed) {
+        vec3<T> axis = top - base;
+        const frame<T> f = frame_about(normalize(axis));
+        const T phi = T(2 * pi<T>) * u.x;
+        vec3<T> normal = f.x * cos(phi) + f.y * sin(phi);
+        return {base + axis * u.y + normal * radius, normal};
+    }
 
     /// The side and the two caps have areas like twice the height, the radius and the radius: u.x chooses among them,
     /// and what is left of it is the angle.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::same_as<mask_t<T>, bool>) {
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const
+        requires(Closed&& std::same_as<mask_t<T>, bool>) {
         vec3<T> axis = top - base;
         const T height = length(axis), side = T(2) * height;
         const frame<T> f = frame_about(axis / height);
@@ -108,62 +114,21 @@ struct cylinder {
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         auto endless = detail::cross_endless_cylinder(base, top, radius, line);
         if (missed(endless)) return endless;
-        auto c = intersect(endless, detail::cross_cap_planes(base, top, line));
-        keep_if_reachable<T>(line, c);
+        auto c = cut<Closed>(endless, detail::cross_cap_planes(base, top, line));
+        keep_if_in_range<T>(line, c);
         return c;
     }
 
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
-        detail::cylinder_surface(at, base, top, radius);
+        const auto outwards = [](const auto& from_axis, const auto&) { return from_axis; };
+        detail::axial_surface(at, base, top, vec2<T>(radius), radius, outwards);
+        at.keep_in([this] { return bounds(); });
     }
 };
 
-/// The points at distance `radius` from the segment, between the two planes across its ends: a tube, seen from both
-/// sides.
+/// The side alone.
 template <real T>
-struct open_cylinder {
-    using number = T;
-
-    vec3<T> base, top;  ///< the centres of the two rims, which belong to the tube
-    T radius;           ///< a length; the tube is missed unless it is positive and base and top differ
-
-    template <record Record>
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
-        return first_hit(*this, ray, t_min, t_max, rec);
-    }
-
-    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return any_hit(*this, ray, t_min, t_max);
-    }
-
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(radius)); }
-
-    RAIO_FN constexpr T area() const { return T(2 * pi<T>) * radius * length(top - base); }
-
-    /// Unrolled the tube is a rectangle: `u` is its uv.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
-        vec3<T> axis = top - base;
-        const frame<T> f = frame_about(normalize(axis));
-        const T phi = T(2 * pi<T>) * u.x;
-        vec3<T> normal = f.x * cos(phi) + f.y * sin(phi);
-        return {base + axis * u.y + normal * radius, normal};
-    }
-
-    /// Either crossing counts on its own, if it lies between the two planes.
-    template <class Line>
-    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        auto c = detail::cross_endless_cylinder(base, top, radius, line);
-        if (missed(c)) return c;
-        const auto slab = detail::cross_cap_planes(base, top, line);
-        c = {detail::within(slab, c.near), detail::within(slab, c.far)};
-        return c;
-    }
-
-    template <class Point>
-    RAIO_FN constexpr void surface(Point& at) const {
-        detail::cylinder_surface(at, base, top, radius);
-    }
-};
+using open_cylinder = cylinder<T, false>;
 
 }  // namespace raio

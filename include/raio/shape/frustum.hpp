@@ -2,10 +2,11 @@
 
 #include <raio/concepts.hpp>
 #include <raio/formula/quadric.hpp>
+#include <raio/proof/normal.hpp>
 #include <raio/surface_sample.hpp>
 
 /// \file
-/// Both frusta, cones cut off across their axis: with its caps one is a solid, without them a funnel.
+/// The frustum, a cone cut off across its axis: with its caps it is a solid, without them a funnel.
 ///
 /// From the end with the lesser radius r on, with the other radius r + w and the height h = 0 to 1, the side is at rho
 /// = r + w h from the axis: rho^2 = r^2 + 2 r w h + w^2 h^2, a quadric of revolution, for which see
@@ -56,59 +57,15 @@ RAIO_FN constexpr auto cross_nappe(const vec3<T>& base, const vec3<T>& top, cons
                        select(turned, radii.x, radii.y));
 }
 
-/// What of a way out of a cone is not along the ray. That is the normal at an apex, where a cone has none, and close to
-/// it, where an error turns it: seen along the axis it looks like a plane, and a ray that only touches it comes from
-/// the side.
-template <class W>
-RAIO_FN constexpr vec3<W> turned_from(const vec3<W>& d, const mask_t<W>& entering, const vec3<W>& outward) {
-    const W side = select(entering, W(1), W(-1));
-    W forward = max(W(0), dot(outward, d) * side) * side;
-    return outward - d * (forward / dot(d, d));
-}
-
 /// Outwards across the side, of any length.
 /// \param axis       from the end with the first radius to that with the second one
 /// \param from_axis  to the point, which is at this height: 0 and 1 at the ends
 template <class Point, class W, real T>
 RAIO_FN constexpr vec3<W> frustum_gradient(const Point& at, const vec3<W>& axis, const vec2<T>& radii,
                                            const vec3<W>& from_axis, const W& height) {
-    using E = bound_t<W>;
     W axis2 = dot(axis, axis), r(radii.x), widening = W(radii.y) - r;
-    vec3<W> off = from_axis - axis * (widening * (r + widening * height) / axis2);
-    const E size = norm1(vec3<E>(axis)), lean = min(abs(E(widening)), size);
-    const E rounding = E(8 * unit_roundoff<W>) * size, error = at.blur() + rounding;
-    // An error turns the normal by its share of the distance from the axis: by a sixteenth of the slope, or more?
-    const mask_t<W> doubtful = every(widening != W(0), norm1(vec3<E>(from_axis)) * lean <= E(16) * error * size);
-    if (none(doubtful)) return off;
-    // Close to an apex the height may be off by all that is left of the cone. The way from the axis is not, where the
-    // ray runs along it, and says the radius as well.
-    const auto across = [&](const vec3<W>& v) { return v - axis * (dot(v, axis) / axis2); };
-    vec3<W> beside = across(from_axis), tip = axis * copysign(W(1), -widening), d = at.direction();
-    const mask_t<W> on_axis = norm1(vec3<E>(beside)) <= norm1(vec3<E>(across(d))) * at.crossing().error + rounding;
-    vec3<W> outward = select(on_axis, tip, beside + tip * (abs(widening) * length(beside) / axis2));
-    return select(doubtful, turned_from(d, at.entering(), outward), off);
-}
-
-/// What both frusta say of a point.
-template <class Point, real T>
-RAIO_FN constexpr void frustum_surface(Point& at, const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
-    using W = typename Point::number;
-    vec3<W> axis = difference_as<W>(top, base);
-    axial_surface(at, base, top, radii, max(radii.x, radii.y) + norm1(vec3<T>(axis)),
-                  [&](const vec3<W>& from_axis, const W& height) {
-                      return frustum_gradient(at, axis, radii, from_axis, height);
-                  });
-    at.keep_in([&] { return axial_bounds(base, top, radii); });
-}
-
-/// Is the point so close to the axis that a double has no digits to spare?
-template <class Point, real T>
-RAIO_FN constexpr auto is_close_to_apex(const Point& at, const vec3<T>& base, const vec3<T>& top) {
-    using W = typename Point::number;
-    using E = bound_t<W>;
-    vec3<W> axis = difference_as<W>(top, base), from_base = at.from(base);
-    const E size = norm1(vec3<E>(axis)), room = E(0x1p-8) * (norm1(vec3<E>(from_base)) + size);
-    return norm1(vec3<E>(cross(from_base, axis))) < room * size;
+    vec3<W> outward = from_axis - axis * (widening * (r + widening * height) / axis2);
+    return turned_at_apex(at, axis, widening, from_axis, outward);
 }
 
 /// The area of the side, and the point of it that `u` chooses: u.x turns about the axis, u.y is the area between the
@@ -140,12 +97,13 @@ RAIO_FN constexpr surface_sample<T> sample_frustum_side(const vec3<T>& base, con
 
 }  // namespace detail
 
-/// The points between two discs across one axis: closed, a solid.
-template <real T>
+/// The points between two discs across one axis: a solid; or, if it is not `Closed`, only the side, up to its rims,
+/// which belong to it, seen from both sides.
+template <real T, bool Closed = true>
 struct frustum {
     using number = T;
 
-    vec3<T> base, top;          ///< the centres of the two caps
+    vec3<T> base, top;          ///< the centres of both ends
     T base_radius, top_radius;  ///< lengths; the frustum is missed unless one is positive and none is negative
 
     template <record Record>
@@ -157,17 +115,23 @@ struct frustum {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const requires(Closed) { return inside_of(*this, ray); }
 
     RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, radii()); }
 
     RAIO_FN constexpr T area() const {
-        return detail::frustum_side(base, top, radii()) +
-               T(pi<T>) * (base_radius * base_radius + top_radius * top_radius);
+        const T side = detail::frustum_side(base, top, radii());
+        return Closed ? side + T(pi<T>) * (base_radius * base_radius + top_radius * top_radius) : side;
+    }
+
+    /// u.x turns about the axis, u.y is the area between the base and the point.
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(!Closed) {
+        return detail::sample_frustum_side(base, top, radii(), u);
     }
 
     /// u.x chooses among the side, the base and the top, and what is left of it is the angle.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::same_as<mask_t<T>, bool>) {
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const
+        requires(Closed&& std::same_as<mask_t<T>, bool>) {
         const T side = detail::frustum_side(base, top, radii()), low = T(pi<T>) * base_radius * base_radius,
                 high = T(pi<T>) * top_radius * top_radius;
         T left = u.x * (side + low + high);
@@ -183,76 +147,35 @@ struct frustum {
 
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        auto nappe = detail::cross_nappe(base, top, radii(), line);
-        if (missed(nappe)) return nappe;
-        auto c = intersect(nappe, detail::cross_cap_planes(base, top, line));
-        keep_if_reachable<T>(line, c);
+        auto endless = detail::cross_nappe(base, top, radii(), line);
+        if (missed(endless)) return endless;
+        auto c = cut<Closed>(endless, detail::cross_cap_planes(base, top, line));
+        keep_if_in_range<T>(line, c);
         return c;
     }
 
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
-        detail::frustum_surface(at, base, top, radii());
+        using W = typename Point::number;
+        vec3<W> axis = difference_as<W>(top, base);
+        detail::axial_surface(at, base, top, radii(), max(base_radius, top_radius) + norm1(vec3<T>(axis)),
+                              [&](const vec3<W>& from_axis, const W& height) {
+                                  return detail::frustum_gradient(at, axis, radii(), from_axis, height);
+                              });
+        at.keep_in([this] { return bounds(); });
     }
 
     template <class Point>
     RAIO_FN constexpr auto is_close_to_tip(const Point& at) const {
-        return detail::is_close_to_apex(at, base, top);
+        return is_close_to_axis(at, base, difference_as<typename Point::number>(top, base), T(1));
     }
 
 private:
     RAIO_FN constexpr vec2<T> radii() const { return {base_radius, top_radius}; }
 };
 
-/// The side of a frustum, seen from both sides.
+/// The side alone.
 template <real T>
-struct open_frustum {
-    using number = T;
-
-    vec3<T> base, top;          ///< the centres of the two rims, which belong to it
-    T base_radius, top_radius;  ///< lengths; the frustum is missed unless one is positive and none is negative
-
-    template <record Record>
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
-        return first_hit(*this, ray, t_min, t_max, rec);
-    }
-
-    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return any_hit(*this, ray, t_min, t_max);
-    }
-
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, radii()); }
-
-    RAIO_FN constexpr T area() const { return detail::frustum_side(base, top, radii()); }
-
-    /// u.x turns about the axis, u.y is the area between the base and the point.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
-        return detail::sample_frustum_side(base, top, radii(), u);
-    }
-
-    /// Either crossing counts on its own, if it lies between the two planes.
-    template <class Line>
-    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        auto c = detail::cross_nappe(base, top, radii(), line);
-        if (missed(c)) return c;
-        const auto slab = detail::cross_cap_planes(base, top, line);
-        c = {detail::within(slab, c.near), detail::within(slab, c.far)};
-        keep_if_reachable<T>(line, c);
-        return c;
-    }
-
-    template <class Point>
-    RAIO_FN constexpr void surface(Point& at) const {
-        detail::frustum_surface(at, base, top, radii());
-    }
-
-    template <class Point>
-    RAIO_FN constexpr auto is_close_to_tip(const Point& at) const {
-        return detail::is_close_to_apex(at, base, top);
-    }
-
-private:
-    RAIO_FN constexpr vec2<T> radii() const { return {base_radius, top_radius}; }
-};
+using open_frustum = frustum<T, false>;
 
 }  // namespace raio

@@ -10,9 +10,9 @@
 /// The hyperboloid of revolution of one sheet, with caps, a solid, and without; and what it has in common with that of
 /// two sheets (two_sheet_hyperboloid.hpp).
 ///
-/// With the height y, -1 at the base and 1 at the top, the side is at the distance rho from the axis,
+/// With the height h, -1/2 at the base and 1/2 at the top, the side is at the distance rho from the axis,
 ///
-///     rho^2 = waist^2 + (end^2 - waist^2) y^2
+///     rho^2 = waist^2 + (end^2 - waist^2) (2 h)^2
 ///
 /// which is a quadric of revolution about the middle, for which see formula/quadric.hpp. It is not convex: a line that
 /// is steeper than the asymptotes may be inside before and after its two crossings with the side.
@@ -25,103 +25,83 @@ namespace raio {
 
 namespace detail {
 
-/// v rho^2 = c0 + c2 h^2 about the middle of the axis, where h is 1/2 at the ends.
-template <class W>
-struct hyperboloid_side {
-    W v, c0, c2;
-    W radius;  ///< the largest
-    W least;   ///< from here to 1 goes |y|
-};
-
+/// One sheet about the middle of the axis, with the height h = -1/2 at the base and 1/2 at the top.
 template <class W, real T>
-RAIO_FN constexpr hyperboloid_side<W> one_sheet(T waist_radius, T end_radius) {
-    W waist(waist_radius), end(end_radius);
-    return {W(1), waist * waist, W(4) * (end - waist) * (end + waist),
-            select(every(waist_radius > T(0), end_radius > T(0)), max(waist, end), W(0)), W(0)};
-}
-
-/// The side as it is turned about the axis, with h = 0 in the middle and -1/2 and 1/2 at the ends.
-template <class Line, real T>
-RAIO_FN constexpr auto one_sheet_on(const Line& line, const T& waist, const T& end) {
-    const auto w = line.given(waist);
+RAIO_FN constexpr auto one_sheet(const T& waist, const T& end) {
+    using numbers = shape_numbers<W>;
+    const auto w = numbers::given(waist);
     const auto c0 = w * w;
-    const auto c2 = line.given(T(4)) * (line.between(waist, end) * line.between(-waist, end));
-    const zero_number<typename Line::number> none;
+    const auto c2 = numbers::given(T(4)) * (numbers::between(waist, end) * numbers::between(-waist, end));
+    const zero_number<W> none;
     return turned_conic{c0, none, c2, -(c0 * c2)};
 }
 
-/// No radius, or the largest.
-template <real T>
-RAIO_FN constexpr T largest_radius(const T& waist, const T& end) {
-    return select(every(waist > T(0), end > T(0)), max(waist, end), T(0));
+/// The crossings with a hyperboloid about the middle between two planes: of one that is closed by caps (a line that is
+/// inside before and after the two ends enters it and leaves it by those), or each with the side on its own.
+/// \param radius  the largest; 0 if there is no hyperboloid
+template <bool Closed, class Line, real T, class Side, class Wanted>
+RAIO_FN constexpr auto cross_hyperboloid(const vec3<T>& base, const vec3<T>& top, const Side& side, const T& radius,
+                                         const Line& line, const Wanted& wanted) {
+    auto endless =
+        cross_quadric(line.direction(), line.to_middle(base, top), line.between(base, top), side, line.given(radius));
+    if constexpr (Closed) {
+        if (missed(endless)) return nowhere_at_all<Wanted>(endless.ends);
+        auto parts = intersect(endless, cross_cap_planes(base, top, line), wanted);
+        keep_if_in_range<T>(line, parts);
+        return parts;
+    } else {
+        auto ends = endless.ends;
+        if (missed(ends)) return ends;
+        ends = cut<false>(ends, cross_cap_planes(base, top, line));
+        keep_if_in_range<T>(line, ends);
+        return ends;
+    }
 }
 
-/// Where the line is inside the endless hyperboloid.
-template <class Line, real T, class Side>
-RAIO_FN constexpr auto cross_endless_hyperboloid(const vec3<T>& base, const vec3<T>& top, const Side& side,
-                                                 const T& radius, const Line& line) {
-    return cross_quadric(line.direction(), line.to_middle(base, top), line.between(base, top), side,
-                         line.given(radius));
-}
-
-/// The crossings with the solid between the caps. (A line that is inside before and after the side's two ends enters it
-/// and leaves it by the caps.)
-template <class Line, real T, class Side, class Wanted>
-RAIO_FN constexpr auto cross_capped(const vec3<T>& base, const vec3<T>& top, const Side& side, const T& radius,
-                                    const Line& line, const Wanted& wanted) {
-    auto c = cross_endless_hyperboloid(base, top, side, radius, line);
-    if (missed(c.ends)) return nowhere_at_all<Wanted>(c.ends);
-    auto parts = intersect(c, cross_cap_planes(base, top, line), wanted);
-    keep_if_reachable<T>(line, parts);
-    return parts;
-}
-
-/// The crossings with the side alone: either counts on its own, if it lies between the two planes.
-template <class Line, real T, class Side>
-RAIO_FN constexpr auto cross_side(const vec3<T>& base, const vec3<T>& top, const Side& side, const T& radius,
-                                  const Line& line) {
-    auto c = cross_endless_hyperboloid(base, top, side, radius, line).ends;
-    if (missed(c)) return c;
-    const auto slab = cross_cap_planes(base, top, line);
-    c = {within(slab, c.near), within(slab, c.far)};
-    keep_if_reachable<T>(line, c);
-    return c;
-}
-
-/// What all of them say of a point.
+/// What they record of a point.
+/// \param radius     the largest
+/// \param c2, scale  rho^2 grows as c2 / scale h^2
 template <class Point, class W, real T>
 RAIO_FN constexpr void hyperboloid_surface(Point& at, const vec3<T>& base, const vec3<T>& top, T end_radius,
-                                           const hyperboloid_side<W>& side) {
+                                           const T& radius, const W& c2, const W& scale) {
     vec3<W> axis = difference_as<W>(top, base);
-    W slope = side.c2 / (side.v * dot(axis, axis));
+    W slope = c2 / (scale * dot(axis, axis));
     axial_surface(
-        at, base, top, vec2<T>(end_radius), T(side.radius) + norm1(vec3<T>(axis)),
+        at, base, top, vec2<T>(end_radius), radius + norm1(vec3<T>(axis)),
         [&](const vec3<W>& from_axis, const W& height) { return from_axis - axis * (slope * (height - W(0.5))); });
-    at.keep_in([&] { return axial_bounds(base, top, vec2<T>(T(side.radius))); });
+    at.keep_in([&] { return axial_bounds(base, top, vec2<T>(radius)); });
 }
 
-/// From the least |y| to 1 the area of the side is 4 pi times that below this curve: with rho^2 = c + a y^2 and half
-/// the axis H, its element is 2 pi rho sqrt(H^2 + rho'^2) dy, and rho rho' = a y.
+/// The side for its area: rho^2 = c0 + c2 h^2 from `least` to 1 of |2 h|.
+struct side_profile {
+    double c0, c2, least;
+
+    template <class Side>
+    RAIO_FN side_profile(const Side& side, double from) : c0(side.c0.value), c2(side.c2.value), least(from) {}
+};
+
+/// The area of the side is 4 pi times that below this curve: with y = 2 h, rho^2 = c0 + a y^2 and half the axis H, its
+/// element is 2 pi rho sqrt(H^2 + rho'^2) dy, and rho rho' = a y.
 template <std::floating_point T>
-RAIO_FN conic area_of_side(const vec3<T>& base, const vec3<T>& top, const hyperboloid_side<double>& side) {
+RAIO_FN conic area_of_side(const vec3<T>& base, const vec3<T>& top, const side_profile& side) {
     const vec3<double> axis = vec3<double>(top) - vec3<double>(base);
-    const double half2 = dot(axis, axis) / 4, a = side.c2 / (4 * side.v);
-    return {side.c0 / side.v * half2, a * (half2 + a)};
+    const double half2 = dot(axis, axis) / 4, a = side.c2 / 4;
+    return {side.c0 * half2, a * (half2 + a)};
 }
 template <std::floating_point T>
-RAIO_FN T hyperboloid_area(const vec3<T>& base, const vec3<T>& top, const hyperboloid_side<double>& side) {
-    return side.radius > 0 ? T(4 * pi<double> * area_of_side(base, top, side).area(side.least, 1)) : T(0);
+RAIO_FN T hyperboloid_area(const vec3<T>& base, const vec3<T>& top, const side_profile& side) {
+    return T(4 * pi<double> * area_of_side(base, top, side).area(side.least, 1));
 }
 
 /// The point of the side that `u` chooses: u.x turns about the axis, u.y is the area between the base and the point.
 template <std::floating_point T>
-RAIO_FN surface_sample<T> sample_hyperboloid(const vec3<T>& base, const vec3<T>& top,
-                                             const hyperboloid_side<double>& side, const vec2<T>& u) {
+RAIO_FN surface_sample<T> sample_hyperboloid(const vec3<T>& base, const vec3<T>& top, const side_profile& side,
+                                             const vec2<T>& u) {
     const double from_middle = 2 * double(u.y) - 1;
     const double y = copysign(area_of_side(base, top, side).place(side.least, 1, abs(from_middle)), from_middle);
-    const T rho = T(std::sqrt(std::max(side.c0 + side.c2 * y * y / 4, 0.0) / side.v)), phi = T(2 * pi<T>) * u.x;
+    const T rho = T(std::sqrt(std::max(side.c0 + side.c2 * y * y / 4, 0.0))), phi = T(2 * pi<T>) * u.x;
     const vec3<T> axis = top - base;
-    const T size = length(axis), along = T(side.c2 * y / (2 * side.v)) / size;
+    const T size = length(axis), along = T(side.c2 * y / 2) / size;
     const frame<T> f = frame_about(axis / size);
     vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
     return {base + axis * T(0.5 + 0.5 * y) + outwards * rho, normalize(outwards * rho - f.z * along)};
@@ -130,8 +110,8 @@ RAIO_FN surface_sample<T> sample_hyperboloid(const vec3<T>& base, const vec3<T>&
 /// The same with caps of this radius: u.x chooses among the side, the base and the top, and what is left of it is the
 /// angle.
 template <std::floating_point T>
-RAIO_FN surface_sample<T> sample_capped(const vec3<T>& base, const vec3<T>& top, T radius,
-                                        const hyperboloid_side<double>& side, const vec2<T>& u) {
+RAIO_FN surface_sample<T> sample_capped_hyperboloid(const vec3<T>& base, const vec3<T>& top, T radius,
+                                                    const side_profile& side, const vec2<T>& u) {
     const T of_side = hyperboloid_area(base, top, side), of_cap = T(pi<T>) * radius * radius;
     const T left = u.x * (of_side + T(2) * of_cap);
     if (left < of_side) return sample_hyperboloid(base, top, side, {left / of_side, u.y});
@@ -142,13 +122,14 @@ RAIO_FN surface_sample<T> sample_capped(const vec3<T>& base, const vec3<T>& top,
 
 }  // namespace detail
 
-/// The points inside a hyperboloid of one sheet, between its two ends: closed, a solid. With an end radius below the
-/// waist radius it bulges, and with equal radii it is a cylinder.
-template <real T>
+/// The points inside a hyperboloid of one sheet, between its two ends: a solid; or, if it is not `Closed`, only the
+/// side up to its two rims, which belong to it, seen from both sides. With an end radius below the waist radius it
+/// bulges, and with equal radii it is a cylinder.
+template <real T, bool Closed = true>
 struct hyperboloid {
     using number = T;
 
-    vec3<T> base, top;           ///< the centres of the two caps
+    vec3<T> base, top;           ///< the centres of both ends
     T waist_radius, end_radius;  ///< in the middle and at both ends: lengths, positive
 
     template <record Record>
@@ -160,77 +141,49 @@ struct hyperboloid {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr raio::spans<T, 2> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+    RAIO_FN constexpr raio::spans<T, 2> spans(const ray<T>& ray) const requires(Closed) {
+        return inside_of(*this, ray);
+    }
 
     RAIO_FN constexpr aabb<T> bounds() const {
         return detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius)));
     }
 
     RAIO_FN T area() const requires(std::floating_point<T>) {
-        return detail::hyperboloid_area(base, top, detail::one_sheet<double>(waist_radius, end_radius)) +
-               T(2 * pi<T>) * end_radius * end_radius;
+        const T side = largest_radius() > T(0) ? detail::hyperboloid_area(base, top, profile()) : T(0);
+        return Closed ? side + T(2 * pi<T>) * end_radius * end_radius : side;
     }
 
-    /// u.x chooses among the side, the base and the top, and what is left of it is the angle.
+    /// u.x turns about the axis, u.y is the area between the base and the point. With caps, u.x chooses among the side,
+    /// the base and the top first, and what is left of it is the angle.
     RAIO_FN surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
-        return detail::sample_capped(base, top, end_radius, detail::one_sheet<double>(waist_radius, end_radius), u);
+        return Closed ? detail::sample_capped_hyperboloid(base, top, end_radius, profile(), u)
+                      : detail::sample_hyperboloid(base, top, profile(), u);
     }
 
     template <class Line, class Wanted = every_crossing>
-    RAIO_FORMULA constexpr chords_for_t<typename Line::number, Wanted> crossings(const Line& line,
-                                                                                 const Wanted& wanted = {}) const {
-        return detail::cross_capped(base, top, detail::one_sheet_on(line, waist_radius, end_radius),
-                                    detail::largest_radius(waist_radius, end_radius), line, wanted);
+    RAIO_FORMULA constexpr auto crossings(const Line& line, const Wanted& wanted = {}) const {
+        const auto side = detail::one_sheet<typename Line::number>(waist_radius, end_radius);
+        return detail::cross_hyperboloid<Closed>(base, top, side, largest_radius(), line, wanted);
     }
 
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         using W = typename Point::number;
-        detail::hyperboloid_surface(at, base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius));
+        const auto side = detail::one_sheet<W>(waist_radius, end_radius);
+        detail::hyperboloid_surface(at, base, top, end_radius, largest_radius(), side.c2.value, W(1));
     }
+
+private:
+    /// 0 if there is no hyperboloid.
+    RAIO_FN constexpr T largest_radius() const {
+        return select(every(waist_radius > T(0), end_radius > T(0)), max(waist_radius, end_radius), T(0));
+    }
+    RAIO_FN detail::side_profile profile() const { return {detail::one_sheet<double>(waist_radius, end_radius), 0.0}; }
 };
 
-/// A hyperboloid of one sheet up to its two rims, seen from both sides.
+/// The side alone.
 template <real T>
-struct open_hyperboloid {
-    using number = T;
-
-    vec3<T> base, top;           ///< the centres of the two rims, which belong to it
-    T waist_radius, end_radius;  ///< in the middle and at both ends: lengths, positive
-
-    template <record Record>
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
-        return first_hit(*this, ray, t_min, t_max, rec);
-    }
-
-    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return any_hit(*this, ray, t_min, t_max);
-    }
-
-    RAIO_FN constexpr aabb<T> bounds() const {
-        return detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius)));
-    }
-
-    RAIO_FN T area() const requires(std::floating_point<T>) {
-        return detail::hyperboloid_area(base, top, detail::one_sheet<double>(waist_radius, end_radius));
-    }
-
-    /// u.x turns about the axis, u.y is the area between the base and the point.
-    RAIO_FN surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
-        return detail::sample_hyperboloid(base, top, detail::one_sheet<double>(waist_radius, end_radius), u);
-    }
-
-    template <class Line>
-    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        return detail::cross_side(base, top, detail::one_sheet_on(line, waist_radius, end_radius),
-                                  detail::largest_radius(waist_radius, end_radius), line);
-    }
-
-    template <class Point>
-    RAIO_FN constexpr void surface(Point& at) const {
-        using W = typename Point::number;
-        detail::hyperboloid_surface(at, base, top, end_radius, detail::one_sheet<W>(waist_radius, end_radius));
-    }
-};
+using open_hyperboloid = hyperboloid<T, false>;
 
 }  // namespace raio

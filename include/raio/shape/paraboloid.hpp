@@ -6,7 +6,7 @@
 #include <raio/shape/disc.hpp>
 
 /// \file
-/// Both paraboloids: with its cap one is a solid, without it a dish.
+/// The paraboloid of revolution: with its cap it is a solid, without it a dish.
 ///
 /// With the height h, 0 at the vertex and 1 at the top, the side is at the distance rho from the axis, rho^2 = radius^2
 /// h: a quadric of revolution, for which see formula/quadric.hpp. A line parallel to the axis crosses it once.
@@ -45,17 +45,6 @@ RAIO_FN constexpr aabb<T> paraboloid_bounds(const vec3<T>& vertex, const vec3<T>
     return padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)});
 }
 
-/// What both paraboloids say of a point.
-template <class Point, real T>
-RAIO_FN constexpr void paraboloid_surface(Point& at, const vec3<T>& vertex, const vec3<T>& top, T radius) {
-    using W = typename Point::number;
-    vec3<W> axis = difference_as<W>(top, vertex);
-    vec3<W> down = axis * (W(0.5) * W(radius) * W(radius) / dot(axis, axis));
-    axial_surface(at, vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)),
-                  [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });
-    at.keep_in([&] { return paraboloid_bounds(vertex, top, radius); });
-}
-
 /// The area of the side.
 template <real T>
 RAIO_FN constexpr T paraboloid_side(const vec3<T>& vertex, const vec3<T>& top, T radius) {
@@ -83,13 +72,14 @@ RAIO_FN constexpr surface_sample<T> sample_paraboloid_side(const vec3<T>& vertex
 
 }  // namespace detail
 
-/// The points between a paraboloid of revolution and a disc across its axis: closed, a solid.
-template <real T>
+/// The points between a paraboloid of revolution and a disc across its axis: a solid; or, if it is not `Closed`, only
+/// the side, up to its rim, which belongs to it, seen from both sides.
+template <real T, bool Closed = true>
 struct paraboloid {
     using number = T;
 
-    vec3<T> vertex, top;  ///< the lowest point, and the centre of the cap
-    T radius;             ///< of the cap; the paraboloid is missed unless it is positive and vertex and top differ
+    vec3<T> vertex, top;  ///< the lowest point, and the centre of the other end
+    T radius;             ///< there; the paraboloid is missed unless it is positive and vertex and top differ
 
     template <record Record>
     RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
@@ -100,16 +90,19 @@ struct paraboloid {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
+    RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const requires(Closed) { return inside_of(*this, ray); }
 
     RAIO_FN constexpr aabb<T> bounds() const { return detail::paraboloid_bounds(vertex, top, radius); }
 
     RAIO_FN constexpr T area() const {
-        return detail::paraboloid_side(vertex, top, radius) + T(pi<T>) * radius * radius;
+        const T side = detail::paraboloid_side(vertex, top, radius);
+        return Closed ? side + T(pi<T>) * radius * radius : side;
     }
 
-    /// u.x chooses between the side and the cap, and what is left of it is the angle.
+    /// u.x turns about the axis, u.y is the area between the vertex and the point. With its cap, u.x chooses between
+    /// the side and that first, and what is left of it is the angle.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
+        if constexpr (!Closed) return detail::sample_paraboloid_side(vertex, top, radius, u);
         const T side = detail::paraboloid_side(vertex, top, radius), left = u.x * area();
         if (left < side) return detail::sample_paraboloid_side(vertex, top, radius, {left / side, u.y});
         return disc<T>{top, top - vertex, radius}.sample({(left - side) / (area() - side), u.y});
@@ -119,58 +112,24 @@ struct paraboloid {
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         auto endless = detail::cross_endless_paraboloid(vertex, top, radius, line);
         if (missed(endless)) return endless;
-        auto c = intersect(endless, detail::cross_upper_plane(vertex, top, line));
-        keep_if_reachable<T>(line, c);
+        auto c = cut<Closed>(endless, detail::cross_upper_plane(vertex, top, line));
+        keep_if_in_range<T>(line, c);
         return c;
     }
 
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
-        detail::paraboloid_surface(at, vertex, top, radius);
+        using W = typename Point::number;
+        vec3<W> axis = difference_as<W>(top, vertex);
+        vec3<W> down = axis * (W(0.5) * W(radius) * W(radius) / dot(axis, axis));
+        detail::axial_surface(at, vertex, top, vec2<T>(T(0), radius), radius + norm1(vec3<T>(axis)),
+                              [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });
+        at.keep_in([this] { return bounds(); });
     }
 };
 
-/// A paraboloid of revolution up to its rim, seen from both sides.
+/// The side alone.
 template <real T>
-struct open_paraboloid {
-    using number = T;
-
-    vec3<T> vertex, top;  ///< the lowest point, and the centre of the rim, which belongs to it
-    T radius;             ///< of the rim; the paraboloid is missed unless it is positive and vertex and top differ
-
-    template <record Record>
-    RAIO_FN constexpr mask_t<T> hit(const ray<T>& ray, T t_min, T t_max, Record& rec) const {
-        return first_hit(*this, ray, t_min, t_max, rec);
-    }
-
-    RAIO_FN constexpr mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const {
-        return any_hit(*this, ray, t_min, t_max);
-    }
-
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::paraboloid_bounds(vertex, top, radius); }
-
-    RAIO_FN constexpr T area() const { return detail::paraboloid_side(vertex, top, radius); }
-
-    /// u.x turns about the axis, u.y is the area between the vertex and the point.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
-        return detail::sample_paraboloid_side(vertex, top, radius, u);
-    }
-
-    /// Either crossing counts on its own, if it lies below the rim.
-    template <class Line>
-    RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        auto c = detail::cross_endless_paraboloid(vertex, top, radius, line);
-        if (missed(c)) return c;
-        const auto slab = detail::cross_upper_plane(vertex, top, line);
-        c = {detail::within(slab, c.near), detail::within(slab, c.far)};
-        keep_if_reachable<T>(line, c);
-        return c;
-    }
-
-    template <class Point>
-    RAIO_FN constexpr void surface(Point& at) const {
-        detail::paraboloid_surface(at, vertex, top, radius);
-    }
-};
+using open_paraboloid = paraboloid<T, false>;
 
 }  // namespace raio

@@ -64,8 +64,7 @@ struct quadric {
             return intersect(cross_endless(line), clip, wanted);
         } else {
             if (missed(clip)) return clip;
-            const chord<W> ends = cross_endless(line).ends;
-            return {detail::within(clip, ends.near), detail::within(clip, ends.far)};
+            return cut<false>(cross_endless(line).ends, clip);
         }
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <raio/proof/normal.hpp>
 #include <raio/shape/box.hpp>
 
 namespace raio {
@@ -104,8 +105,7 @@ private:
         const T steepness = length(slope), side = at.entering() ? T(1) : T(-1);
         const bool flat = !(steepness > T(0) && is_finite(steepness));
         vec3<T> towards = normalize(at.direction()), facing = flat ? -towards : slope * (side / steepness);
-        // Where the slope is drowned in its error, and points along the ray, it is mirrored.
-        at.record_facing(normalize(facing - towards * (T(2) * max(T(0), dot(facing, towards)))));
+        at.record_facing(normalize(mirrored_against(facing, towards, T(1))));
         // From the one end of the tolerance to beyond the other.
         at.add_error(T(3) * tolerance / (flat ? lipschitz : steepness));
     }

@@ -13,9 +13,8 @@ namespace raio {
 ///
 ///     t = (b -+ s) / a,   a = d.d,   b = l.d,   s^2 = b^2 - a (l.l - radius^2) = a radius^2 - |l x d|^2
 ///
-/// That is `cross_sphere` in formula/sphere.hpp.
-///
-/// uv: u is the angle about +y from +x towards -z, v the latitude, 0 at the lowest y and 1 at the highest.
+/// (formula/sphere.hpp). uv: u is the angle about +y from +x towards -z, v the latitude, 0 at the lowest y and 1 at the
+/// highest.
 template <real T>
 struct sphere {
     using number = T;
@@ -40,18 +39,20 @@ struct sphere {
 
     RAIO_FN constexpr T area() const { return T(4 * pi<T>) * radius * radius; }
 
-    /// `u` in [0, 1)^2, as the sphere's uv but for v, which is the height here (Archimedes).
+    /// `u` in [0, 1)^2: u.x is the angle of the uv, u.y the height, along which the area is spread evenly (Archimedes).
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
         const T y = T(2) * u.y - T(1), rho = sqrt(max(T(0), T(1) - y * y)), phi = T(2 * pi<T>) * u.x;
         vec3<T> normal(rho * cos(phi), y, -rho * sin(phi));
         return {center + normal * radius, normal};
     }
 
+    /// Where the ray's line enters the sphere and where it leaves it: `hit`, `occluded` and `spans` choose among these.
     template <class Line>
     [[gnu::always_inline]] RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         return cross_sphere_about(center, radius, line);
     }
 
+    /// What `hit` records of a point of the surface.
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         auto outward = at.from(center);
@@ -60,7 +61,6 @@ struct sphere {
         at.record_normal(outward, radius);
         at.record_uv([&] {
             using Q = typename Point::precise;
-            // Angles do not ask for unit length.
             vec3<T> unit(vec3<Q>(outward) * (Q(1) / Q(radius)));
             return vec2<T>(turns(-unit.z, unit.x), latitude(unit.y, sqrt(unit.x * unit.x + unit.z * unit.z)));
         });

@@ -3,7 +3,7 @@
 #include <array>
 
 #include <raio/concepts.hpp>
-#include <raio/formula/polynomial_along.hpp>
+#include <raio/proof/polynomial_crossings.hpp>
 
 namespace raio {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <raio/formula/revolution.hpp>
+#include <raio/proof/line_beside_axis.hpp>
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/ring.hpp>
 
@@ -31,8 +32,7 @@ struct revolved_piece<T, 1> {
         auto a = line.given(axis);
         auto d = line.direction();
         const auto to_axis_at = [&](const T& height) { return line.to(base) + a * line.given(height); };
-        chord<typename Line::number> c{};
-        c.far.certain = true;
+        chord<typename Line::number> c = nowhere<typename Line::number>();
         if (is_flat()) {
             c.near = cross_between_rims(d, a, to_axis_at(from.y), line.given(min(from.x, to.x)),
                                         line.given(max(from.x, to.x)));
@@ -45,9 +45,9 @@ struct revolved_piece<T, 1> {
             const bool widens = narrow_end().y < wide_end().y;
             const auto slab = widens ? cross_slab(a, dot(a, to_narrow), dot(a, to_wide), d)
                                      : cross_slab(a, dot(a, to_wide), dot(a, to_narrow), d);
-            c = {within(slab, c.near), within(slab, c.far)};
+            c = cut<false>(c, slab);
         }
-        keep_if_reachable<T>(line, c);
+        keep_if_in_range<T>(line, c);
         return c;
     }
 
@@ -77,12 +77,7 @@ struct revolved_piece<T, 1> {
 
     template <class Point>
     RAIO_FN constexpr auto is_close_to_tip(const Point& at) const {
-        using W = typename Point::number;
-        using E = bound_t<W>;
-        const vec3<W> from_base = at.from(base), a(axis);
-        const E size = norm1(vec3<E>(a)),
-                reach = norm1(vec3<E>(from_base)) + size * max(abs(E(W(from.y))), abs(E(W(to.y))));
-        return norm1(vec3<E>(cross(from_base, a))) < E(0x1p-8) * size * reach;
+        return is_close_to_axis(at, base, vec3<typename Point::number>(axis), max(abs(from.y), abs(to.y)));
     }
 
     RAIO_FN constexpr T area() const { return is_flat() ? as_ring().area() : as_frustum().area(); }
@@ -168,8 +163,7 @@ struct surface_of_revolution {
             box = hull(box, padded(aabb<T>{center - reach, center + reach}));
         }
         if constexpr (Degree > 1) {
-            vec3<T> blur(T(0x1p-40) * norm1(vec3<T>(box.max - box.min)));
-            box = {box.min - blur, box.max + blur};
+            box = with_room_for_tips(box);
         }
         return box;
     }

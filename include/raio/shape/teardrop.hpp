@@ -1,9 +1,9 @@
 #pragma once
 
 #include <raio/concepts.hpp>
-#include <raio/formula/polynomial_along.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
+#include <raio/proof/polynomial_crossings.hpp>
 
 namespace raio {
 

@@ -83,6 +83,7 @@ struct torus {
         return {center + outwards * major_radius + normal * minor_radius, normal};
     }
 
+    /// \param wanted  which of the crossings: of a ring the first may be found without the others
     template <class Line, class Wanted = every_crossing, class W = typename Line::number>
     RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const Line& line, const Wanted& wanted = {}) const {
         const auto d = line.direction();
@@ -90,16 +91,16 @@ struct torus {
         const auto l = line.to(center);
         const auto moment = cross(l, d);
         const auto major = line.given(major_radius);
-        const auto minor = line.given(minor_radius);
-        // A little more than the bounding sphere, so that the line's ends are clearly outside.
-        const auto size = as_given((major + minor) * line.given(W(1 + 0x1p-10)));
+        const auto tube = line.given(minor_radius);
+        // A sphere about the torus, a little larger than needed, so that the surface keeps clear of x = -1 and 1.
+        const auto size = as_given((major + tube) * line.given(W(1 + 0x1p-10)));
         const auto d2 = square(d);
         const auto reach2 = d2 * size * size;
         const auto passed2 = square(moment);
         crossing_list<W, 4> list;
         if (!list.holds(every(is_positive(reach2), reach2 >= passed2))) return list;
 
-        // t = middle + x half, and p(x) = q + x e.
+        // t = middle + x half: |x| <= 1 in the sphere. In lengths of its radius, p(x) = q + x e.
         const auto over_d2 = inverse(d2);
         const auto unit = inverse(size);
         const auto middle = dot(l, d) * over_d2;
@@ -107,22 +108,22 @@ struct torus {
         const auto q = cross(moment, d) * (over_d2 * unit);
         const auto e = d * (half * unit);
         const auto a2 = square(a);
-        const auto is_one = every(is_positive(major), is_positive(minor), is_positive(a2), is_positive(half));
-        if (!list.holds(every(is_one, is_known_within(q, line.given(W(1)))))) return list;
+        const auto exists = every(is_positive(major), is_positive(tube), is_positive(a2), is_positive(half));
+        if (!list.holds(every(exists, is_located(q, line.given(W(1)))))) return list;
 
         const auto two = line.given(W(2));
         const auto none = line.given(W(0));
         const auto major2 = square(major * unit);
-        const auto minor2 = square(minor * unit);
+        const auto tube2 = square(tube * unit);
         const auto four_major2 = two * two * major2;
         const auto b = a * (two * major * unit * inverse(sqrt(a2)));
         const auto q2 = square(q);
         const auto e2 = square(e);
         const auto qb = dot(q, b);
         const auto eb = dot(e, b);
-        const auto g = q2 + (major2 - minor2);
-        auto f = polynomial_of(square(g) + (square(qb) - four_major2 * q2), two * (qb * eb),
-                               two * e2 * g + (square(eb) - four_major2 * e2), none, square(e2));
+        const auto g = q2 + (major2 - tube2);
+        const auto f = polynomial_of(square(g) + (square(qb) - four_major2 * q2), two * (qb * eb),
+                                     two * e2 * g + (square(eb) - four_major2 * e2), none, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
         list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
@@ -135,7 +136,7 @@ struct torus {
                           append_outer(g + e2 * square(x), root, t, list);
                       }
                   });
-        start_on_surface(list, [&] { return may_be_on_surface(l * unit, major2, minor2); });
+        start_on_surface(list, [&] { return is_on_surface(l * unit, major2, tube2); });
         return list;
     }
 
@@ -153,8 +154,7 @@ struct torus {
         at.record_point(major_radius + minor_radius);
         at.keep_in([this] { return bounds(); });
         vec3<Q> outward = vec3<Q>(beside) * beyond + vec3<Q>(up) * rho;  // from the circle, times rho
-        // Where the tube meets itself on the axis, or as close to it as can be told, it is seen along the axis, against
-        // the ray.
+        // Where the tube meets itself on the axis it has no normal: it is seen along the axis, against the ray.
         if (rho <= Q(at.blur())) {
             const bool along = (dot(a, at.direction()) > W(0)) == !at.entering();
             outward = vec3<Q>(along ? a : -a);
@@ -168,48 +168,38 @@ struct torus {
     }
 
 private:
-    /// Takes over a root of a torus without a hole, if it counts: if `outer`, which is p.p + R^2 - r^2, is not
-    /// negative.
+    /// Lists the crossing at a root of f, of a torus without a hole: only where `outer`, p.p + R^2 - r^2, is not
+    /// negative is that its surface.
     ///
-    /// At the two points of the surface on the axis that is zero. In the plane of the axis and the line two circles
-    /// meet there, and f is negative within one of them alone. A line that goes from one into the other stays in the
-    /// solid, and touches its surface from within. What both enclose is about the centre: a line enters it there before
-    /// its closest approach to the centre, and leaves it there after that.
+    /// At two points of the axis `outer` is zero. In the plane of the axis and the line two circles meet there, and f
+    /// is negative within one of them alone: a line that goes from one into the other stays in the solid, and touches
+    /// its surface from within. What both enclose is about the centre: a line enters it there before its closest
+    /// approach to the centre, and leaves it there after that.
     template <class W>
     RAIO_FN static constexpr void append_outer(const bounded_number<W>& outer, const polynomial_root<W>& root,
                                                const bounded_number<W>& t, crossing_list<W, 4>& list) {
         const auto x = root.place();
         const auto zero = shape_numbers<W>::given(W(0));
-        const auto counts = outer >= zero;
-        const bool is_outer = list.holds(counts), on_axis = !is_settled(counts), entering = root.before > 0,
-                   to_other = root.is_touched() && !entering;
+        const bool is_outer = list.holds(outer >= zero), on_axis = any(every(outer >= zero, outer <= zero));
+        const bool entering = root.before > 0, to_other = root.is_touched() && !entering;
         const auto append = [&](bool enters) {
             const bool inside = list.count > 0 && list.crossings[list.count - 1].entering;
-            const bool leaves = inside && (to_other || (x >= zero).possibly);
+            const bool leaves = inside && (to_other || any(x >= zero));
             if (on_axis ? (enters ? !inside : leaves) : is_outer) list.append(t, enters);
         };
         append(entering);
         if (root.is_touched()) append(!entering);
     }
 
-    /// Is f = 0 at p, or at -p, as far as can be told?
+    /// Is f = 0 at p?
     template <proven_vector P, proven_number A>
-    RAIO_FN constexpr bool may_be_on_surface(const P& p, const A& major2, const A& minor2) const {
+    RAIO_FN constexpr bool is_on_surface(const P& p, const A& major2, const A& tube2) const {
         using W = typename P::number;
         const auto a = shape_numbers<W>::given(axis);
         const auto a2 = square(a);
         const auto p2 = square(p);
         const auto rho2 = a2 * p2 - square(dot(p, a));  // times A.A
-        return may_be_equal(a2 * square(p2 + (major2 - minor2)), shape_numbers<W>::given(W(4)) * major2 * rho2);
-    }
-
-    /// f, times A.A, at the point p as seen from the centre, or at -p.
-    template <class W>
-    RAIO_FN constexpr W level(const vec3<W>& p) const {
-        vec3<W> a(axis);
-        W a2 = dot(a, a), p2 = dot(p, p), ap = dot(a, p), major2 = W(major_radius) * W(major_radius);
-        W sum = p2 + (major2 - W(minor_radius) * W(minor_radius));
-        return a2 * (sum * sum) - W(4) * major2 * (a2 * p2 - ap * ap);
+        return may_be_equal(a2 * square(p2 + (major2 - tube2)), shape_numbers<W>::given(W(4)) * major2 * rho2);
     }
 
     /// The angle about the circle at which the tube meets the axis; half a turn for a ring.

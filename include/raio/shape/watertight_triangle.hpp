@@ -77,7 +77,7 @@ struct watertight_triangle {
         const auto left = [&](const auto& x) { return is_not_negative(x, det); };
         const auto right = [&](const auto& x) { return is_not_positive(x, det); };
         const auto inside = some(every(left(u), left(v), left(w)), every(right(u), right(v), right(w)));
-        if (may_leave<W>(!inside.possibly)) return missed_for_sure<W>();
+        if (all(!inside)) return no_crossing<W>();
 
         const auto speed = det * z_of(d);
         const auto height =

@@ -1,4 +1,4 @@
-#include <raio/formula/revolution.hpp>
+#include <raio/proof/line_beside_axis.hpp>
 
 #include <doctest/doctest.h>
 
@@ -37,7 +37,7 @@ interval<oracle> distances(const ray<double>& ray, const vec3<double>& base, con
 
 }  // namespace
 
-TEST_CASE("revolved_crossing: what a line passes by, it passes by, and it tells most of that") {
+TEST_CASE("line_beside_axis: what a line passes by, it passes by, and it tells most of that") {
     random_numbers random(1);
     int passed = 0, not_told = 0, open = 0;
     for (int i = 0; i < at_least(100'000); ++i) {
