@@ -165,6 +165,20 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
     CHECK(rec.index == 5);
 }
 
+TEST_CASE_TEMPLATE("heightfield: a NaN is a hole where it is a height, and in the bounds where it is a corner", T,
+                   RAIO_NUMBERS) {
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    heightfield<T> field{{0, 0}, {2, 2}, 3, {nan, 0, 9, 0, 1, 2, 0, 3, nan}};
+    const aabb<T> box = field.bounds();  // of the triangles that are there
+    CHECK((box.contains({1, 1, 1}) && box.contains({2, 0, 9}) && !box.contains({1, 1, T(9.1)})));
+    CHECK(!is_nan(box));
+    for (T* number : {&field.min.x, &field.min.y, &field.max.x, &field.max.y}) {
+        const T kept = std::exchange(*number, nan);
+        CHECK((is_nan(field.bounds().min) && is_nan(field.bounds().max)));
+        *number = kept;
+    }
+}
+
 TEST_CASE_TEMPLATE("heightfield: from a point of it, in any direction", T, RAIO_NUMBERS) {
     check_starts_on_surface([](random_numbers& random) {
         heightfield<T> field{{0, 0}, {1, 1}, 2, {}};

@@ -193,8 +193,9 @@ private:
                 const aabb<T> box = shapes[j].bounds();
                 const auto id = first_id + static_cast<std::uint32_t>(j);
                 references[id] = {};
-                if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) continue;
-                if (!is_finite(box.min) || !is_finite(box.max)) {
+                const bool nan = is_nan(box);
+                if (!nan && (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z)) continue;
+                if (nan || !is_finite(box.min) || !is_finite(box.max)) {
                     throw std::invalid_argument("raio::bvh: shape " + std::to_string(id) + " has no finite bounds");
                 }
                 references[id] = to_build_box(aabb<T>{box.min * scale, box.max * scale}, id);

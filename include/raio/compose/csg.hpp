@@ -119,7 +119,7 @@ requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
     RAIO_FN constexpr aabb<T> bounds() const requires(bounded<detail::held_t<A>>&& bounded<detail::held_t<B>>) {
         const aabb<T> of_a = detail::held(a).bounds(), of_b = detail::held(b).bounds();
         if constexpr (Operation == set_operation::unite) return hull(of_a, of_b);
-        if constexpr (Operation == set_operation::subtract) return of_a;
+        if constexpr (Operation == set_operation::subtract) return unless_nan(of_a, of_b);
         return padded(overlap(of_a, of_b));  // a point that was rounded onto one box may lie beyond the other
     }
 

@@ -66,6 +66,12 @@ RAIO_FN constexpr mask_t<T> is_finite(const vec3<T>& a) {
     return every(is_finite(a.x), is_finite(a.y), is_finite(a.z));
 }
 
+/// Is one of the components no number?
+template <real T>
+RAIO_FN constexpr mask_t<T> is_nan(const vec3<T>& a) {
+    return some(is_nan(a.x), is_nan(a.y), is_nan(a.z));
+}
+
 /// At least |a.(b x c)|, whatever the signs of the components: the terms of the triple product added up as magnitudes.
 template <real T>
 RAIO_FN constexpr T permanent(const vec3<T>& a, const vec3<T>& b, const vec3<T>& c) {

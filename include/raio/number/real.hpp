@@ -290,6 +290,11 @@ RAIO_FN constexpr mask_t<T> is_finite(const T& x) {
     return abs(x) < infinity<T>;
 }
 
+template <real T>
+RAIO_FN constexpr mask_t<T> is_nan(const T& x) {
+    return !mask_t<T>(x == x);
+}
+
 /// a / b, and `otherwise` where b is zero.
 template <real T>
 RAIO_FN constexpr T quotient(const T& a, const T& b, const T& otherwise) {

@@ -44,7 +44,11 @@ struct algebraic {
 
     RAIO_FN constexpr auto spans(const ray<T>& ray) const requires(Closed) { return inside_of(*this, ray); }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{min, max}); }
+    RAIO_FN constexpr aabb<T> bounds() const {
+        aabb<T> box = unless_nan(padded(aabb<T>{min, max}), min, max);
+        for (const algebraic_term<T>& term : terms) box = unless_nan(box, term.coefficient);
+        return box;
+    }
 
     /// f at a point.
     template <class W>

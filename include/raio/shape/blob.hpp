@@ -61,7 +61,9 @@ struct blob {
             const auto around = [&](const vec3<T>& p) { return aabb<T>{p - vec3<T>(m.radius), p + vec3<T>(m.radius)}; };
             all = hull(all, hull(around(m.center), around(m.center + m.axis)));
         }
-        return padded(padded(all));
+        all = unless_nan(padded(padded(all)), threshold);
+        for (const metaball<T>& m : components) all = unless_nan(all, m.center, m.radius, m.strength, m.axis);
+        return all;
     }
 
     /// The sum of the fields at a point.

@@ -74,7 +74,9 @@ struct convex_polyhedron {
             has_vertex = true;
             box = hull(hull(box, vec3<T>(from)), vec3<T>(to));
         });
-        return ends && has_vertex ? padded(box) : unbounded<T>();
+        box = ends && has_vertex ? padded(box) : unbounded<T>();
+        for (const half_space<T>& plane : planes) box = unless_nan(box, plane.normal, plane.offset);
+        return box;
     }
 
     /// Infinite for a polyhedron without end.

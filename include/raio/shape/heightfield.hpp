@@ -66,10 +66,13 @@ struct heightfield {
         return found;
     }
 
+    /// Holes have none. (NaN, if that is what the rectangle has.)
     aabb<T> bounds() const {
-        aabb<T> box;
-        for (std::size_t i = 0; i < size(); ++i) box = hull(box, (*this)[i].bounds());
-        return box;
+        aabb<T> all;
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (const aabb<T> box = (*this)[i].bounds(); !is_nan(box)) all = hull(all, box);
+        }
+        return unless_nan(all, vec3<T>(min, T(0)), vec3<T>(max, T(0)));
     }
 
 private:

@@ -163,7 +163,8 @@ struct hyperboloid {
     RAIO_FN constexpr raio::spans<T, 2> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
     RAIO_FN constexpr aabb<T> bounds() const {
-        return detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius)));
+        return unless_nan(detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius))), waist_radius,
+                          end_radius);
     }
 
     RAIO_FN T area() const requires(std::floating_point<T>) {
@@ -208,7 +209,8 @@ struct open_hyperboloid {
     }
 
     RAIO_FN constexpr aabb<T> bounds() const {
-        return detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius)));
+        return unless_nan(detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius))), waist_radius,
+                          end_radius);
     }
 
     RAIO_FN T area() const requires(std::floating_point<T>) {

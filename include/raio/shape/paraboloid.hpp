@@ -42,7 +42,7 @@ RAIO_FN constexpr aabb<T> paraboloid_bounds(const vec3<T>& vertex, const vec3<T>
     vec3<T> up(highest(axis.x, reach.x), highest(axis.y, reach.y), highest(axis.z, reach.z));
     vec3<T> down(highest(-axis.x, reach.x), highest(-axis.y, reach.y), highest(-axis.z, reach.z));
     vec3<T> rounding(norm1(axis) * T(2 * unit_roundoff<T>));
-    return padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)});
+    return unless_nan(padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)}), vertex, top, radius);
 }
 
 /// What both paraboloids say of a point.

@@ -32,7 +32,7 @@ struct plane {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return unbounded<T>(); }
+    RAIO_FN constexpr aabb<T> bounds() const { return unless_nan(unbounded<T>(), point, normal); }
 
     template <class Line>
     RAIO_FORMULA constexpr crossing<typename Line::number> crossings(const Line& line) const {

@@ -40,7 +40,9 @@ struct quadric {
         return inside_of(*this, ray);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{min, max}); }
+    RAIO_FN constexpr aabb<T> bounds() const {
+        return unless_nan(padded(aabb<T>{min, max}), min, max, squares, products, linear, constant);
+    }
 
     /// f at a point.
     template <class W>

@@ -51,7 +51,7 @@ struct ring {
 
     RAIO_FN constexpr aabb<T> bounds() const {
         vec3<T> reach = disc_reach(normal, outer_radius);
-        return padded(aabb<T>{center - reach, center + reach});
+        return unless_nan(padded(aabb<T>{center - reach, center + reach}), center, normal, inner_radius, outer_radius);
     }
 
     RAIO_FN constexpr T area() const {

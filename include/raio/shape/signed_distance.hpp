@@ -62,7 +62,7 @@ struct signed_distance {
         return inside;
     }
 
-    aabb<T> bounds() const { return padded(box); }
+    aabb<T> bounds() const { return unless_nan(padded(box), box, tolerance, lipschitz); }
 
 private:
     /// Calls `visit` with every crossing, in order, and whether it enters, until that answers yes. Did it?

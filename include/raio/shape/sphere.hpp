@@ -35,7 +35,7 @@ struct sphere {
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
     RAIO_FN constexpr aabb<T> bounds() const {
-        return padded(aabb<T>{center - vec3<T>(radius), center + vec3<T>(radius)});
+        return unless_nan(padded(aabb<T>{center - vec3<T>(radius), center + vec3<T>(radius)}), center, radius);
     }
 
     RAIO_FN constexpr T area() const { return T(4 * pi<T>) * radius * radius; }

@@ -40,7 +40,7 @@ struct steiner {
 
     RAIO_FN constexpr aabb<T> bounds() const {
         vec3<T> half(size / T(2));
-        return padded(padded(aabb<T>{center - half, center + half}));
+        return unless_nan(padded(padded(aabb<T>{center - half, center + half})), center, size);
     }
 
     template <class Line, class Wanted = every_crossing, class W = typename Line::number>

@@ -160,7 +160,7 @@ struct surface_of_revolution {
 
     aabb<T> bounds() const {
         aabb<T> box;
-        if (segments() == 0) return box;
+        if (segments() == 0) return unless_nan(box, base, axis);
         for (const vec2<T>& end : profile) {
             const vec3<T> center = base + axis * end.y;
             const T rounding = (norm1(base) + norm1(axis) * abs(end.y)) * T(4 * unit_roundoff<T>);
@@ -171,7 +171,7 @@ struct surface_of_revolution {
             vec3<T> blur(T(0x1p-40) * norm1(vec3<T>(box.max - box.min)));
             box = {box.min - blur, box.max + blur};
         }
-        return box;
+        return unless_nan(box, base, axis);
     }
 
     T area() const requires(Degree == 1) {

@@ -58,7 +58,8 @@ struct torus {
 
     RAIO_FN constexpr aabb<T> bounds() const {
         vec3<T> reach = disc_reach(axis, major_radius) + vec3<T>(minor_radius);
-        return padded(padded(aabb<T>{center - reach, center + reach}));
+        return unless_nan(padded(padded(aabb<T>{center - reach, center + reach})), center, axis, major_radius,
+                          minor_radius);
     }
 
     RAIO_FN constexpr T area() const { return T(4 * pi<T>) * minor_radius * strip(widest()); }

@@ -62,7 +62,9 @@ struct two_sheet_hyperboloid {
 
     RAIO_FN constexpr raio::spans<T, 2> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(end_radius)); }
+    RAIO_FN constexpr aabb<T> bounds() const {
+        return unless_nan(detail::axial_bounds(base, top, vec2<T>(end_radius)), gap);
+    }
 
     RAIO_FN T area() const requires(std::floating_point<T>) {
         return detail::hyperboloid_area(base, top, detail::two_sheets<double>(gap, end_radius)) +
@@ -106,7 +108,9 @@ struct open_two_sheet_hyperboloid {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(end_radius)); }
+    RAIO_FN constexpr aabb<T> bounds() const {
+        return unless_nan(detail::axial_bounds(base, top, vec2<T>(end_radius)), gap);
+    }
 
     RAIO_FN T area() const requires(std::floating_point<T>) {
         return detail::hyperboloid_area(base, top, detail::two_sheets<double>(gap, end_radius));
