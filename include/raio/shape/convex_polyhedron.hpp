@@ -106,6 +106,14 @@ struct convex_polyhedron {
 
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto c = inside(line);
+        keep_if_reachable<T>(line, c);
+        return c;
+    }
+
+    /// The part of the line that is inside. Where that does not begin, or does not end, t is infinite.
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> inside(const Line& line) const {
         using W = typename Line::number;
         const auto origin = line.from(vec3<T>(T(0)));
         chord<W> c = everywhere<W>();
@@ -118,7 +126,6 @@ struct convex_polyhedron {
             if (all(is_certainly_missed(c))) break;
             face = face + index_t<W>(1);
         }
-        keep_if_reachable<T>(line, c);
         return c;
     }
 
