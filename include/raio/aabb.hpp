@@ -35,16 +35,25 @@ RAIO_FN constexpr mask_t<T> is_nan(const aabb<T>& box) {
 template <real T, class... Made>
 RAIO_FN constexpr aabb<T> unless_nan(const aabb<T>& box, const Made&... made_of) {
     const mask_t<T> nan = (is_nan(made_of) || ...);
-    const vec3<T> none(T(std::numeric_limits<scalar_t<T>>::quiet_NaN()));
+    const vec3<T> none{T(std::numeric_limits<scalar_t<T>>::quiet_NaN())};
     return {select(nan, none, box.min), select(nan, none, box.max)};
 }
 
-/// The smallest box that contains both.
+/// The smallest box that contains both, if all sides are numbers, which is not asked.
+template <real T>
+RAIO_FN constexpr aabb<T> hull_of_numbers(const aabb<T>& a, const aabb<T>& b) {
+    return {{min(a.min.x, b.min.x), min(a.min.y, b.min.y), min(a.min.z, b.min.z)},
+            {max(a.max.x, b.max.x), max(a.max.y, b.max.y), max(a.max.z, b.max.z)}};
+}
+template <real T>
+RAIO_FN constexpr aabb<T> hull_of_numbers(const aabb<T>& box, const vec3<T>& point) {
+    return hull_of_numbers(box, aabb<T>{point, point});
+}
+
+/// The smallest box that contains both; NaN, if one is.
 template <real T>
 RAIO_FN constexpr aabb<T> hull(const aabb<T>& a, const aabb<T>& b) {
-    return unless_nan(aabb<T>{{min(a.min.x, b.min.x), min(a.min.y, b.min.y), min(a.min.z, b.min.z)},
-                              {max(a.max.x, b.max.x), max(a.max.y, b.max.y), max(a.max.z, b.max.z)}},
-                      a, b);
+    return unless_nan(hull_of_numbers(a, b), a, b);
 }
 
 template <real T>
