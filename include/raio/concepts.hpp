@@ -38,6 +38,11 @@ concept holder = primitive<H> || requires(const H h) {
     requires primitive<std::remove_cvref_t<decltype(*h)>>;
 };
 
+/// Are they all made of the same numbers? Nothing is converted in secret: `sphere<float>` and `sphere<double>` do not
+/// mix.
+template <class First, class... Rest>
+concept of_one_number_type = (std::same_as<number_t<First>, number_t<Rest>> && ...);
+
 /// A primitive that a light can be made of: it has an area, and points spread evenly over it.
 template <class P>
 concept sampleable = primitive<P> && requires(const P shape, vec2<number_t<P>> u) {

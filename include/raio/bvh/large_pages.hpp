@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <raio/config.hpp>
+
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
 #endif

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/config.hpp>
+
 namespace raio {
 
 /// How much time goes into a tree, and how much of it comes back with every ray.

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include <raio/config.hpp>
+
 namespace raio::detail {
 
 /// How many threads are meant by that many: 0 stands for all of the machine's.

@@ -80,9 +80,18 @@ RAIO_FN constexpr auto ends_of(const P& shape, const Ray& ray, index_t<number_t<
 
 }  // namespace detail
 
+namespace detail {
+
+/// Can a solid be made of what they hold?
+template <class A, class B>
+concept solids_to_compose = solid<held_t<A>> && solid<held_t<B>> && of_one_number_type<held_t<A>, held_t<B>>;
+
+}  // namespace detail
+
 /// Two solids and what is made of them; again a solid. Each of them is a primitive, or a pointer to one that is shared.
 template <set_operation Operation, holder A, holder B>
-requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
+requires detail::solids_to_compose<A, B>
+struct csg {
     using number = number_t<detail::held_t<A>>;
     using T = number;
 
@@ -174,18 +183,18 @@ private:
 
 /// Inside `a` or `b`.
 template <holder A, holder B>
-RAIO_FN constexpr csg<set_operation::unite, A, B> union_of(A a, B b) {
-    return {std::move(a), std::move(b)};
+requires detail::solids_to_compose<A, B> RAIO_FN constexpr auto union_of(A a, B b) {
+    return csg<set_operation::unite, A, B>{std::move(a), std::move(b)};
 }
 /// Inside both.
 template <holder A, holder B>
-RAIO_FN constexpr csg<set_operation::intersect, A, B> intersection_of(A a, B b) {
-    return {std::move(a), std::move(b)};
+requires detail::solids_to_compose<A, B> RAIO_FN constexpr auto intersection_of(A a, B b) {
+    return csg<set_operation::intersect, A, B>{std::move(a), std::move(b)};
 }
 /// Inside `a` and not inside `b`.
 template <holder A, holder B>
-RAIO_FN constexpr csg<set_operation::subtract, A, B> difference_of(A a, B b) {
-    return {std::move(a), std::move(b)};
+requires detail::solids_to_compose<A, B> RAIO_FN constexpr auto difference_of(A a, B b) {
+    return csg<set_operation::subtract, A, B>{std::move(a), std::move(b)};
 }
 
 }  // namespace raio
