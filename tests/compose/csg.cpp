@@ -2,6 +2,7 @@
 
 #include <raio/compose/any_primitive.hpp>
 #include <raio/compose/group.hpp>
+#include <raio/compose/quick.hpp>
 #include <raio/compose/transformed.hpp>
 #include <raio/shape/cylinder.hpp>
 
@@ -341,6 +342,7 @@ TEST_CASE_TEMPLATE("csg: of solids without an end, along which the line stays in
     check_all(transformed{ball, still}, transformed{below, still});
     check_all(any_solid<T>{ball}, any_solid<T>{below});
     check_all(ball, group{below});
+    check_all(quick<sphere<T>>{ball}, quick<std::remove_const_t<decltype(below)>>{below});
     check_met(transformed{intersection_of(ball, below), still}, along, true, 0);
     // Turned by the map, and left by nothing: the tube of a square along the x axis.
     const convex_polyhedron<T> tube{{{{1, 0, 0}, -1}, {{-1, 0, 0}, -1}, {{0, 1, 0}, -1}, {{0, -1, 0}, -1}}};
