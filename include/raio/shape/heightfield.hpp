@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include <raio/failure.hpp>
 #include <raio/shape/triangle.hpp>
 
 namespace raio {
@@ -64,6 +67,15 @@ struct heightfield {
             return found ? -infinity<T> : t_max;
         });
         return found;
+    }
+
+    /// \throws std::invalid_argument  for heights that do not fill whole rows, or fewer than two rows or columns
+    void check() const {
+        if (columns < 2 || heights.size() / columns < 2 || heights.size() % columns != 0) {
+            detail::fail(std::invalid_argument("raio::heightfield: " + std::to_string(heights.size()) +
+                                               " heights are not two rows or more of " + std::to_string(columns) +
+                                               " columns, of which there must be two"));
+        }
     }
 
     /// Holes have none. (NaN, if that is what the rectangle has.)
