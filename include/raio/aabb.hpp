@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/vec.hpp>
 
 namespace raio {
@@ -116,3 +118,5 @@ RAIO_FN constexpr aabb<T> unbounded() {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

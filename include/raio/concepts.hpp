@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/settle.hpp>
 
 /// \file
@@ -160,3 +162,5 @@ RAIO_FN constexpr auto spans_of(const P& shape, const Ray& ray) {
 }  // namespace detail
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

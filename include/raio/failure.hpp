@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <cstdio>
 #include <cstdlib>
 
@@ -30,3 +32,5 @@ template <class Exception>
 }  // namespace detail
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/vec.hpp>
 
 namespace raio {
@@ -12,3 +14,5 @@ struct ray {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -268,3 +270,5 @@ private:
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/binary_tree.hpp>
 #include <raio/bvh/binning.hpp>
 #include <raio/bvh/parallel.hpp>
@@ -244,3 +246,5 @@ private:
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

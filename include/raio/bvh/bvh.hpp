@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/assemble.hpp>
 #include <raio/bvh/hit_list.hpp>
 #include <raio/bvh/nearest.hpp>
@@ -320,3 +322,5 @@ template <class... Members>
 bvh(const group<Members...>&, const bvh_options& = {}) -> bvh<typename detail::primitive_of<Members>::type...>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <new>
@@ -56,3 +58,5 @@ template <class Value>
 using large_vector = std::vector<Value, large_pages<Value>>;
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

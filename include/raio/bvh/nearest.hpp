@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/leaf_kinds.hpp>
 
 namespace raio::detail {
@@ -131,3 +133,5 @@ private:
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

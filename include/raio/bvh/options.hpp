@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/config.hpp>
 
 namespace raio {
@@ -17,3 +19,5 @@ struct bvh_options {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

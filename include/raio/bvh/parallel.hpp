@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -104,3 +106,5 @@ inline part part_of(std::size_t i, std::size_t size, std::size_t total) {
 inline std::size_t parts_of(std::size_t size, std::size_t total) { return (total + size - 1) / size; }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/binning.hpp>
 #include <raio/bvh/gather.hpp>
 #include <raio/bvh/large_pages.hpp>
@@ -147,3 +149,5 @@ large_vector<build_box> presplit(std::span<const build_box> references, float bu
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

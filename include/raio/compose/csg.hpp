@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 
 /// \file
@@ -198,3 +200,5 @@ requires detail::solids_to_compose<A, B> RAIO_FN constexpr auto difference_of(A 
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <ranges>
 #include <tuple>
 #include <utility>
@@ -144,3 +146,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

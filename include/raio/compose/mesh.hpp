@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <cstdint>
 #include <stdexcept>
@@ -155,3 +157,5 @@ struct mesh_triangle {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

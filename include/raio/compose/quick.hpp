@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/surface_sample.hpp>
 
@@ -103,3 +105,5 @@ struct rebind<quick<P>, U> {
 }  // namespace detail
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

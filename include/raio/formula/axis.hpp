@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
@@ -113,3 +115,5 @@ RAIO_FN constexpr aabb<T> axial_bounds(const vec3<T>& base, const vec3<T>& top, 
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

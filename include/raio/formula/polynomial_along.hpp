@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/polynomial_crossings.hpp>
 
 /// \file
@@ -34,3 +36,5 @@ RAIO_FN constexpr line_part<W> part_near(const Line& line, const vec3<T>& base, 
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/formula/polynomial_along.hpp>
 
 /// \file
@@ -192,3 +194,5 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/formula/polynomial_along.hpp>
 #include <raio/proof/extremum.hpp>
 
@@ -34,3 +36,5 @@ struct sweep {
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/polynomial.hpp>
 
 namespace raio {
@@ -44,3 +46,5 @@ struct cubic_near {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/vec.hpp>
 
 namespace raio {
@@ -55,3 +57,5 @@ RAIO_FN constexpr transform<T> rotation(const vec3<T>& axis, const T& angle) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

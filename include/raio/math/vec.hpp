@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -148,3 +150,5 @@ RAIO_FN constexpr vec2<T> select(Mask mask, const vec2<T>& a, const vec2<T>& b) 
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <bit>
 #include <cmath>
 #include <concepts>
@@ -303,3 +305,5 @@ RAIO_FN constexpr T quotient(const T& a, const T& b, const T& otherwise) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

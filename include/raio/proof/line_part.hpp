@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/polynomial.hpp>
 #include <raio/proof/crossing_list.hpp>
 #include <raio/proof/line.hpp>
@@ -90,3 +92,5 @@ RAIO_FN constexpr line_part<W> part_of(const Line& line, const verdict<bool>& pa
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

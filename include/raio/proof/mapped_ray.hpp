@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/transform.hpp>
 #include <raio/proof/line.hpp>
 
@@ -240,3 +242,5 @@ template <class Ray, class T>
 concept ray_of = std::same_as<Ray, ray<T>> || std::same_as<Ray, mapped_ray<T>>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

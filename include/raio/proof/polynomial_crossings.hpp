@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/line_part.hpp>
 
 /// \file
@@ -183,3 +185,5 @@ struct piecewise_walk {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 
 #include <raio/proof/record.hpp>
@@ -212,3 +214,5 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <vector>
 
@@ -145,3 +147,5 @@ template <real T, std::size_t Degree, class Terms = std::vector<algebraic_term<T
 using open_algebraic = algebraic<T, Degree, false, Terms>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

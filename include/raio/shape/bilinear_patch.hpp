@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <tuple>
 #include <utility>
@@ -201,3 +203,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 
 #include <raio/concepts.hpp>
@@ -239,3 +241,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

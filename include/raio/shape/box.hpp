@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/box_faces.hpp>
 #include <raio/formula/plane.hpp>
@@ -167,3 +169,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/shape/frustum.hpp>
 
 /// \file
@@ -143,3 +145,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <vector>
 
 #include <raio/concepts.hpp>
@@ -174,3 +176,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/axis.hpp>
 #include <raio/formula/quadric.hpp>
@@ -167,3 +169,5 @@ struct open_cylinder {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/sphere.hpp>
 #include <raio/math/angle.hpp>
@@ -80,3 +82,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
@@ -186,3 +188,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/quadric.hpp>
 #include <raio/math/conic.hpp>
@@ -236,3 +238,5 @@ struct open_hyperboloid {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <cmath>
 
 #include <raio/formula/quadric.hpp>
@@ -174,3 +176,5 @@ struct open_paraboloid {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

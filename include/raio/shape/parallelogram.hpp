@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/edges.hpp>
 #include <raio/surface_sample.hpp>
@@ -65,3 +67,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
@@ -58,3 +60,5 @@ struct plane {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

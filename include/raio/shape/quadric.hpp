@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/axis.hpp>
 #include <raio/formula/quadric.hpp>
@@ -153,3 +155,5 @@ template <real T>
 using open_quadric = quadric<T, false>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
@@ -88,3 +90,5 @@ struct ring {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/shape/box.hpp>
 
 namespace raio {
@@ -115,3 +117,5 @@ template <real T, class Distance>
 signed_distance(aabb<T>, T, T, Distance) -> signed_distance<T, Distance>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

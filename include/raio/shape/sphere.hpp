@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/sphere.hpp>
 #include <raio/math/angle.hpp>
@@ -68,3 +70,5 @@ struct sphere {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <span>
 #include <vector>
 
@@ -216,3 +218,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

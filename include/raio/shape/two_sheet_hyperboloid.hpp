@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/shape/hyperboloid.hpp>
 
 /// \file
@@ -135,3 +137,5 @@ struct open_two_sheet_hyperboloid {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>
