@@ -12,6 +12,8 @@
 #include <raio/bvh/gather.hpp>
 #include <raio/compose/quick.hpp>
 
+#include "peers/record.hpp"
+
 /// \file
 /// What every benchmark shares: the rays, the loop, and the names that the results go by.
 
@@ -110,20 +112,12 @@ struct occluded {
     }
 };
 
-/// What textbooks find.
-template <class T>
-struct textbook_record {
-    T t;
-    raio::vec3<T> point, normal;
-    bool front_face;
-};
-
-/// The same formula, believed.
+/// The same formula, believed, and of the hit what textbooks find.
 template <class Shape>
 struct quick_hit {
     static constexpr const char* name = "quick_hit";
     using T = raio::number_t<Shape>;
-    using result = textbook_record<T>;
+    using result = peers::record<T>;
     raio::quick<Shape> shape;
 
     explicit quick_hit(const Shape& of) : shape{of} {}

@@ -48,6 +48,28 @@ TEST_CASE_TEMPLATE("aabb: hull takes in both", T, RAIO_NUMBERS) {
     CHECK(hull(both, vec3<T>(0, 7, -1)).min == vec3<T>(-3, -5, -1));
 }
 
+TEST_CASE_TEMPLATE("aabb: hull and overlap are NaN if one side is, wherever (the second one's was dropped)", T,
+                   RAIO_NUMBERS) {
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    const aabb<T> box{{-1, 0, 1}, {2, 3, 4}};
+    const auto is_all_nan = [](const aabb<T>& b) {
+        return is_nan(b.min.x) && is_nan(b.min.y) && is_nan(b.min.z) && is_nan(b.max.x) && is_nan(b.max.y) &&
+               is_nan(b.max.z);
+    };
+    for (glm::length_t i = 0; i < 6; ++i) {
+        aabb<T> bad = box;
+        (i < 3 ? bad.min : bad.max)[i % 3] = nan;
+        CHECK(is_nan(bad));
+        for (const aabb<T>& both : {hull(bad, box), hull(box, bad), hull(aabb<T>{}, bad), overlap(bad, box),
+                                    overlap(box, bad), hull(bad, vec3<T>(0)), unless_nan(box, T(1), bad)}) {
+            CHECK(is_all_nan(both));
+        }
+    }
+    CHECK(is_all_nan(unless_nan(box, vec3<T>(0), nan)));
+    CHECK(is_all_nan(unless_nan(box, vec3<T>(0, nan, 0))));
+    CHECK(!is_nan(unless_nan(box, vec3<T>(-infinity<T>, infinity<T>, 0), infinity<T>, aabb<T>{}, unbounded<T>())));
+}
+
 TEST_CASE_TEMPLATE("aabb: the nearest point in it", T, RAIO_NUMBERS) {
     const aabb<T> box{{-1, 2, 0}, {1, 5, 0}};
     CHECK(nearest_in(box, vec3<T>(0.5, 3, 0)) == vec3<T>(0.5, 3, 0));

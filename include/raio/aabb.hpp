@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/vec.hpp>
 
 namespace raio {
@@ -24,11 +26,36 @@ struct aabb {
     }
 };
 
-/// The smallest box that contains both.
+/// Is one of the sides no number?
 template <real T>
-RAIO_FN constexpr aabb<T> hull(const aabb<T>& a, const aabb<T>& b) {
+RAIO_FN constexpr mask_t<T> is_nan(const aabb<T>& box) {
+    return some(is_nan(box.min), is_nan(box.max));
+}
+
+/// The box of what is made of these numbers, vectors and boxes. If one of them is NaN, so is every side: minimum and
+/// maximum of a NaN depend on its place, and a box that leaves it out would hide it from trees, which refuse NaN.
+template <real T, class... Made>
+RAIO_FN constexpr aabb<T> unless_nan(const aabb<T>& box, const Made&... made_of) {
+    const mask_t<T> nan = (is_nan(made_of) || ...);
+    const vec3<T> none{T(std::numeric_limits<scalar_t<T>>::quiet_NaN())};
+    return {select(nan, none, box.min), select(nan, none, box.max)};
+}
+
+/// The smallest box that contains both, if all sides are numbers, which is not asked.
+template <real T>
+RAIO_FN constexpr aabb<T> hull_of_numbers(const aabb<T>& a, const aabb<T>& b) {
     return {{min(a.min.x, b.min.x), min(a.min.y, b.min.y), min(a.min.z, b.min.z)},
             {max(a.max.x, b.max.x), max(a.max.y, b.max.y), max(a.max.z, b.max.z)}};
+}
+template <real T>
+RAIO_FN constexpr aabb<T> hull_of_numbers(const aabb<T>& box, const vec3<T>& point) {
+    return hull_of_numbers(box, aabb<T>{point, point});
+}
+
+/// The smallest box that contains both; NaN, if one is.
+template <real T>
+RAIO_FN constexpr aabb<T> hull(const aabb<T>& a, const aabb<T>& b) {
+    return unless_nan(hull_of_numbers(a, b), a, b);
 }
 
 template <real T>
@@ -39,8 +66,9 @@ RAIO_FN constexpr aabb<T> hull(const aabb<T>& box, const vec3<T>& point) {
 /// The points that both contain.
 template <real T>
 RAIO_FN constexpr aabb<T> overlap(const aabb<T>& a, const aabb<T>& b) {
-    return {{max(a.min.x, b.min.x), max(a.min.y, b.min.y), max(a.min.z, b.min.z)},
-            {min(a.max.x, b.max.x), min(a.max.y, b.max.y), min(a.max.z, b.max.z)}};
+    return unless_nan(aabb<T>{{max(a.min.x, b.min.x), max(a.min.y, b.min.y), max(a.min.z, b.min.z)},
+                              {min(a.max.x, b.max.x), min(a.max.y, b.max.y), min(a.max.z, b.max.z)}},
+                      a, b);
 }
 
 /// The point of the box that is nearest to this one. A side of the box that is no number bounds nothing.
@@ -90,3 +118,5 @@ RAIO_FN constexpr aabb<T> unbounded() {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

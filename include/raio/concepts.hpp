@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/settle.hpp>
 
 /// \file
@@ -37,6 +39,11 @@ template <class H>
 concept holder = primitive<H> || requires(const H h) {
     requires primitive<std::remove_cvref_t<decltype(*h)>>;
 };
+
+/// Are they all made of the same numbers? Nothing is converted in secret: `sphere<float>` and `sphere<double>` do not
+/// mix.
+template <class First, class... Rest>
+concept of_one_number_type = (std::same_as<number_t<First>, number_t<Rest>> && ...);
 
 /// A primitive that a light can be made of: it has an area, and points spread evenly over it.
 template <class P>
@@ -194,3 +201,5 @@ RAIO_FN constexpr mask_t<number_t<P>> contains(const P& shape, const vec3<number
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -3,6 +3,11 @@
 /// \file
 /// The version of raio, and what compilers have to be told.
 
+#if __cplusplus <= 201703L && !(defined(_MSVC_LANG) && _MSVC_LANG > 201703L)
+#error "raio needs C++20: compile with -std=c++20, or link raio::raio in CMake, which asks for it"
+#include <raio needs C++20>  // there is none: what follows would be errors by the thousand
+#endif
+
 #define RAIO_VERSION_MAJOR 0
 #define RAIO_VERSION_MINOR 1
 #define RAIO_VERSION_PATCH 0
@@ -39,7 +44,20 @@
 #endif
 
 // The answers are exact because every operation is rounded as IEEE 754 says; -ffast-math takes that back without a
-// word.
-#if defined(__FAST_MATH__) && !defined(RAIO_ALLOW_FAST_MATH)
-#error "raio: -ffast-math breaks the exactness of every answer; compile without it, or define RAIO_ALLOW_FAST_MATH"
+// word, and so does each of its parts that says so here. (Clang shows -fassociative-math and -freciprocal-math only as
+// an FLT_EVAL_METHOD of -1, from version 15 on.)
+#if (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+     (defined(__clang__) && defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ < 0)) &&        \
+    !defined(RAIO_ALLOW_FAST_MATH)
+#error \
+    "raio: -ffast-math breaks the exactness of every answer, and so do -fassociative-math, -freciprocal-math, -fno-signed-zeros and -ffinite-math-only alone; compile without it, or define RAIO_ALLOW_FAST_MATH"
+#endif
+
+// The x87 keeps more digits than float and double have, until it runs out of registers: other bits with every build,
+// and trees that answer otherwise than the loop. (16 is about halves only.)
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16 && \
+    !(defined(__clang__) && __FLT_EVAL_METHOD__ < 0)
+#error \
+    "raio: numbers are computed with more digits here than they have (FLT_EVAL_METHOD is not 0), and answers would not be exact; on 32-bit x86 compile with -msse2 -mfpmath=sse"
 #endif

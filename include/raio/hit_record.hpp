@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <bit>
 #include <iterator>
 
@@ -174,3 +176,5 @@ RAIO_FN constexpr ray<T> spawn_ray(const hit_record<T>& rec, const vec3<T>& dire
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/vec.hpp>
 
 namespace raio {
@@ -26,3 +28,5 @@ struct timed_ray : ray<T> {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/vec.hpp>
 
 namespace raio {
@@ -12,3 +14,5 @@ struct surface_sample {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

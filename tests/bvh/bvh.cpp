@@ -1,3 +1,4 @@
+#include <raio/compose/csg.hpp>
 #include <raio/compose/transformed.hpp>
 #include <raio/shape/torus.hpp>
 
@@ -147,6 +148,9 @@ TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index (one 
         shapes[17].center.y = bad;
         CHECK_THROWS_WITH_AS(bvh{shapes}, "raio::bvh: shape 17 has no finite bounds", std::invalid_argument);
     }
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    shapes[17] = {{nan, 0, 0}, -1};  // of another axis the box is inside out: that is no shape without points
+    CHECK_THROWS_WITH_AS(bvh{shapes}, "raio::bvh: shape 17 has no finite bounds", std::invalid_argument);
     shapes[17] = {{0, 0, 0}, -1};  // without any point: left out
     hit_record<T> rec{};
     CHECK(!bvh{shapes}.hit({{0, 0, 5}, {0, 0, -1}}, T(0), infinity<T>, rec));
@@ -159,6 +163,40 @@ TEST_CASE_TEMPLATE("bvh: what has no finite bounds is refused by its index (one 
     for (const vec3<T>& high : {vec3<T>(infinity<T>, 1, 1), vec3<T>(1, infinity<T>, 1), vec3<T>(1, 1, infinity<T>)}) {
         CHECK_THROWS_AS((bvh{std::vector{box<T>{{0, 0, 0}, high}}}), std::invalid_argument);
     }
+}
+
+TEST_CASE_TEMPLATE("bvh: a NaN is refused in whatever number of a shape it is (it was in the first vertex only)", T,
+                   RAIO_NUMBERS) {
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    const std::vector<triangle<T>> sound(20, triangle<T>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    bvh tree{sound};
+    for (int place = 0; place < 9; ++place) {
+        auto shapes = sound;
+        triangle<T>& bad = shapes[13];
+        (place < 3 ? bad.a : place < 6 ? bad.b : bad.c)[place % 3] = nan;
+        CHECK_THROWS_WITH_AS(bvh{shapes}, "raio::bvh: shape 13 has no finite bounds", std::invalid_argument);
+        CHECK_THROWS_WITH_AS(tree.refit(shapes), "raio::bvh: shape 13 has no finite bounds", std::invalid_argument);
+        CHECK(tree.occluded({{T(0.25), T(0.25), 1}, {0, 0, -1}}, T(0), infinity<T>));
+    }
+    mesh<T> m{{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}, {1, 1, 0}}, {{0, 1, 3}, {0, 1, 2}}};
+    for (int turn = 0; turn < 3; ++turn) {
+        CHECK(is_nan(m.bounds()));
+        CHECK_THROWS_WITH_AS(bvh{m}, "raio::bvh: shape 1 has no finite bounds", std::invalid_argument);
+        CHECK_THROWS_WITH_AS(bvh<mesh_triangle<T>>{m}, "raio::bvh: shape 1 has no finite bounds",
+                             std::invalid_argument);
+        std::rotate(m.triangles[1].begin(), m.triangles[1].begin() + 1, m.triangles[1].end());
+    }
+    m.triangles.pop_back();  // no triangle has the vertex
+    CHECK_NOTHROW(bvh{m});
+    const sphere<T> ball{{0, 0, 0}, 1}, none{{0, 0, 0}, nan};
+    const std::vector balls{ball, ball};
+    CHECK_THROWS_AS((bvh{std::vector{group{ball, none}}}), std::invalid_argument);
+    CHECK_THROWS_AS((bvh{std::vector{difference_of(ball, none)}}), std::invalid_argument);
+    CHECK_THROWS_AS((bvh{std::vector{union_of(ball, none)}}), std::invalid_argument);
+    CHECK_THROWS_AS((bvh{std::vector{intersection_of(ball, none)}}), std::invalid_argument);
+    transform<T> map = translation(vec3<T>(1, 2, 3));
+    map.y.z = nan;
+    CHECK_THROWS_AS((bvh{std::vector{transformed{ball, map}}}), std::invalid_argument);
 }
 
 TEST_CASE_TEMPLATE(

@@ -2,6 +2,7 @@
 
 #include <raio/compose/any_primitive.hpp>
 #include <raio/compose/group.hpp>
+#include <raio/compose/quick.hpp>
 #include <raio/compose/transformed.hpp>
 #include <raio/shape/cylinder.hpp>
 
@@ -303,6 +304,53 @@ TEST_CASE_TEMPLATE("csg: a tree that is built while the program runs", T, RAIO_N
         if (hit) REQUIRE((r.t == s.t && r.normal == s.normal && r.point == s.point && r.front_face == s.front_face));
         REQUIRE(built.spans(ray).count == fixed.spans(ray).count);
     }
+}
+
+TEST_CASE_TEMPLATE("csg: of solids without an end, along which the line stays inside (it met nothing)", T,
+                   RAIO_NUMBERS) {
+    const T inf = infinity<T>, t = T(5) - std::sqrt(T(0.75));
+    const sphere<T> ball{{0, 0, 0}, 1};
+    const convex_polyhedron<T, std::array<half_space<T>, 1>> below{{half_space<T>{{0, 0, 1}, 0}}};
+    const ray<T> along{{-5, 0, T(-0.5)}, {1, 0, 0}}, above{{-5, 0, T(0.5)}, {1, 0, 0}};
+    const auto check_met = [&](const auto& met, const ray<T>& ray, bool front, std::uint32_t index) {
+        hit_record<T> rec{};
+        REQUIRE(met.hit(ray, -inf, inf, rec));
+        CHECK(rec.t == doctest::Approx(t));
+        CHECK((rec.front_face == front && rec.index == index && rec.point.z == ray.origin.z));
+        CHECK(met.occluded(ray, T(0), inf));
+        CHECK(spans(met.spans(ray)).begin()[0].contains(rec.t));
+    };
+    const auto check_missed = [&](const auto& missed, const ray<T>& ray) {
+        hit_record<T> rec{};
+        CHECK_FALSE(missed.hit(ray, -inf, inf, rec));
+        CHECK_FALSE(missed.occluded(ray, -inf, inf));
+    };
+    const transform<T> still{};
+    const auto check_all = [&](const auto& b, const auto& p) {
+        check_met(intersection_of(b, p), along, true, 0);
+        check_met(intersection_of(p, b), along, true, 1);
+        check_missed(intersection_of(b, p), above);
+        check_missed(difference_of(b, p), along);
+        check_met(difference_of(b, p), above, true, 0);
+        check_met(difference_of(p, b), along, false, 1);
+        check_missed(difference_of(p, b), above);
+        check_missed(union_of(p, b), along);
+        check_met(union_of(p, b), above, true, 1);
+        check_met(difference_of(ball, difference_of(p, b)), along, true, 0);
+    };
+    check_all(ball, below);
+    check_all(transformed{ball, still}, transformed{below, still});
+    check_all(any_solid<T>{ball}, any_solid<T>{below});
+    check_all(ball, group{below});
+    check_all(quick<sphere<T>>{ball}, quick<std::remove_const_t<decltype(below)>>{below});
+    check_met(transformed{intersection_of(ball, below), still}, along, true, 0);
+    // Turned by the map, and left by nothing: the tube of a square along the x axis.
+    const convex_polyhedron<T> tube{{{{1, 0, 0}, -1}, {{-1, 0, 0}, -1}, {{0, 1, 0}, -1}, {{0, -1, 0}, -1}}};
+    const transform<T> turn{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}};
+    check_met(intersection_of(ball, transformed{tube, turn}), along, true, 0);
+    const auto nowhere = spans(transformed{tube, turn}.spans(ray<T>{{0, 0, 3}, {1, 0, 0}}));
+    CHECK(nowhere.empty());
+    CHECK(spans(group{tube, below}.spans(ray<T>{{0, 0, 7}, {0, 0, 1}})).begin()[0] == interval<T>{-inf, inf});
 }
 
 }  // namespace raio::test

@@ -66,6 +66,42 @@ TEST_CASE_TEMPLATE("convex_polyhedron: named cases", T, RAIO_NUMBERS) {
     });
 }
 
+TEST_CASE_TEMPLATE("convex_polyhedron: a line that stays inside is all inside (it was nowhere)", T, RAIO_NUMBERS) {
+    using planes = std::vector<half_space<T>>;
+    const T inf = infinity<T>, most = std::numeric_limits<T>::max();
+    const interval<T> all{-inf, inf}, none{};
+    const planes below{{{0, 0, 3}, 0}}, tube{{{1, 0, 0}, -1}, {{-1, 0, 0}, -1}, {{0, 1, 0}, -1}, {{0, -1, 0}, -1}};
+    const auto spans = [](const planes& of, const ray<T>& ray) { return convex_polyhedron<T>{of}.spans(ray); };
+    CHECK(spans(below, {{0, 0, -1}, {1, 0, 0}}) == all);
+    CHECK(spans(below, {{0, 0, 0}, {1, 2, 0}}) == all);  // in its face
+    CHECK(spans(below, {{0, 0, 1}, {1, 0, 0}}).empty());
+    CHECK(spans(below, {{0, 0, -2}, {0, 0, 1}}) == interval<T>{-inf, 2});
+    CHECK(spans(below, {{0, 0, 2}, {0, 0, -1}}) == interval<T>{2, inf});
+    CHECK(spans(tube, {{0, T(0.5), 7}, {0, 0, -2}}) == all);
+    CHECK(spans(tube, {{1, 1, 7}, {0, 0, 1}}) == all);  // along an edge
+    CHECK(spans(tube, {{0, 2, 7}, {0, 0, -2}}).empty());
+    CHECK(spans(tube, {{-3, 0, 0}, {1, 0, 1}}) == interval<T>{2, 4});
+    CHECK(spans({}, {{1, 2, 3}, {0, 0, 1}}) == all);
+    CHECK(spans({{{0, 0, 0}, -1}}, {{1, 2, 3}, {0, 0, 1}}) == all);
+    CHECK(spans({{{0, 0, 0}, 1}}, {{1, 2, 3}, {0, 0, 1}}).empty());
+    CHECK(spans({{{0, T(1e-30), 0}, T(-0.5)}}, {{0, 0, 0}, {0, T(1e-30), 0}}).contains(0));  // ends out of range
+    // What is no line, or no plane, is nowhere.
+    for (const ray<T>& bad :
+         {ray<T>{{0, 0, -1}, {0, 0, 0}}, ray<T>{{0, 0, -1}, {inf, 0, 0}}, ray<T>{{0, 0, -1}, {nan<T>, 0, 0}},
+          ray<T>{{nan<T>, 0, -1}, {1, 0, 0}}, ray<T>{{inf, 0, -1}, {1, 0, 0}}}) {
+        CHECK(spans(below, bad).empty());
+        CHECK(spans({}, bad).empty());
+    }
+    CHECK(spans({{{0, 0, 1}, nan<T>}}, {{0, 0, -1}, {1, 0, 0}}).empty());
+    CHECK(spans({{{0, nan<T>, 1}, 0}}, {{0, 0, -1}, {1, 0, 0}}).empty());
+    CHECK(spans({{{most, 0, 0}, -1}}, {{-1, 0, 0}, {0, most, 0}}) == all);
+
+    // Nothing is hit: neither end is there.
+    hit_record<T> rec{};
+    CHECK_FALSE(convex_polyhedron<T>{below}.hit({{0, 0, -1}, {1, 0, 0}}, -inf, inf, rec));
+    CHECK_FALSE(convex_polyhedron<T>{}.occluded({{0, 0, -1}, {1, 0, 0}}, -inf, inf));
+}
+
 TEST_CASE_TEMPLATE("convex_polyhedron: the area of what is inside, however many planes say so", T, RAIO_NUMBERS) {
     const auto area = [](std::vector<half_space<T>> planes) { return convex_polyhedron<T>{std::move(planes)}.area(); };
     CHECK(area(cube_and<T>({})) == T(24));

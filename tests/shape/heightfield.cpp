@@ -1,3 +1,4 @@
+#include <raio/bvh/bvh.hpp>
 #include <raio/shape/heightfield.hpp>
 
 #include "support/cases.hpp"
@@ -163,6 +164,40 @@ TEST_CASE_TEMPLATE("heightfield: named cases", T, RAIO_NUMBERS) {
     CHECK(rec.uv == vec2<T>(0.25, 0.875));
     CHECK_FALSE(rec.front_face);
     CHECK(rec.index == 5);
+}
+
+TEST_CASE_TEMPLATE(
+    "heightfield: heights that fill no rows are refused by whoever builds from them (they were an empty field)", T,
+    RAIO_NUMBERS) {
+    const heightfield<T> sound{{0, 0}, {2, 2}, 3, {0, 1, 2, 3, 4, 5}};
+    CHECK_NOTHROW(sound.check());
+    for (const auto& [columns, count] : {std::pair(3u, 5u), std::pair(3u, 7u), std::pair(3u, 3u), std::pair(0u, 6u),
+                                         std::pair(1u, 6u), std::pair(3u, 0u)}) {
+        heightfield<T> bad = sound;
+        bad.columns = columns, bad.heights.resize(count);
+        CHECK_THROWS_AS(bad.check(), std::invalid_argument);
+        CHECK_THROWS_AS((bvh{std::vector{sound, bad}}), std::invalid_argument);
+    }
+    heightfield<T> short_of_one = sound;
+    short_of_one.heights.pop_back();
+    CHECK_THROWS_WITH_AS(
+        short_of_one.check(),
+        "raio::heightfield: 5 heights are not two rows or more of 3 columns, of which there must be two",
+        std::invalid_argument);
+}
+
+TEST_CASE_TEMPLATE("heightfield: a NaN is a hole where it is a height, and in the bounds where it is a corner", T,
+                   RAIO_NUMBERS) {
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    heightfield<T> field{{0, 0}, {2, 2}, 3, {nan, 0, 9, 0, 1, 2, 0, 3, nan}};
+    const aabb<T> box = field.bounds();  // of the triangles that are there
+    CHECK((box.contains({1, 1, 1}) && box.contains({2, 0, 9}) && !box.contains({1, 1, T(9.1)})));
+    CHECK(!is_nan(box));
+    for (T* number : {&field.min.x, &field.min.y, &field.max.x, &field.max.y}) {
+        const T kept = std::exchange(*number, nan);
+        CHECK((is_nan(field.bounds().min) && is_nan(field.bounds().max)));
+        *number = kept;
+    }
 }
 
 TEST_CASE_TEMPLATE("heightfield: from a point of it, in any direction", T, RAIO_NUMBERS) {

@@ -331,6 +331,15 @@ TEST_CASE_TEMPLATE("surface of revolution: uv and area, and samples spread evenl
     const surface_of_revolution<T> can{{1, 2, 3}, {0, 0, 2}, {{0, 0}, {3, 0}, {3, 2}, {0, 2}}};
     CHECK(can.area() == doctest::Approx(cylinder<T>{{1, 2, 3}, {1, 2, 7}, 3}.area()));
     CHECK(!(surface_of_revolution<T>{{1, 2, 3}, {0, 0, 2}, {{3, 0}}}.bounds().contains({1, 2, 3})));  // no segment
+    for (int place = 0; place < 14; ++place) {  // a NaN is seen in the bounds, wherever it is
+        surface_of_revolution<T> bad = can;
+        T& number = place < 3   ? bad.base[place]
+                    : place < 6 ? bad.axis[place - 3]
+                                : bad.profile[place / 2 - 3][place % 2];
+        number = std::numeric_limits<T>::quiet_NaN();
+        const aabb<T> box = bad.bounds();
+        CHECK((is_nan(box.min.x) && is_nan(box.min.z) && is_nan(box.max.y)));
+    }
     // Evenly over the base, the side and the top: 8 x 8 parts of equal areas each.
     const int samples = 100'000;
     std::vector<int> counts(3 * 64, 0);

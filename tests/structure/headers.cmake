@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # The floors of the library, lowest first. A header includes headers of lower floors, and of its own without a cycle.
 set(floors
-    "config\\.hpp"
+    "(config|failure|push_macros|pop_macros)\\.hpp"
     "number/.*"
     "math/.*"
     "(ray|aabb|hit_record|surface_sample)\\.hpp"
@@ -71,9 +71,17 @@ foreach(header IN LISTS headers)
             problem("${header} defines a macro: ${line}")
         endif()
     endforeach()
-    file(STRINGS ${path} lines REGEX "^#pragma once$")
-    if(NOT lines)
-        problem("${header} has no #pragma once")
+    if(NOT header MATCHES "^(push|pop)_macros\\.hpp$")
+        file(STRINGS ${path} lines REGEX "^#pragma once$")
+        if(NOT lines)
+            problem("${header} has no #pragma once")
+        endif()
+        # Macros of others are put aside first of all, and are back at its end.
+        file(READ ${path} text)
+        if(NOT header MATCHES "^(raio|config)\\.hpp$" AND
+           NOT text MATCHES "^#pragma once\n\n#include <raio/push_macros\\.hpp>\n.*\n#include <raio/pop_macros\\.hpp>\n$")
+            problem("${header} does not include push_macros.hpp first and pop_macros.hpp last")
+        endif()
     endif()
 
     # Who goes with it.

@@ -190,6 +190,27 @@ std::string impossible_hit(const probe<Shape>& p) {
     return wrong;
 }
 
+/// A NaN in any number of the shape is in every side of its bounds. (Minimum and maximum dropped it, or not, by its
+/// place: a tree took what it promises to refuse.)
+template <class Shape>
+std::string bounds_without_nan(const probe<Shape>& p) {
+    using T = number_t<Shape>;
+    std::string wrong;
+    for (int place = 0, count = 1; place < count; ++place) {
+        Shape changed = p.shape;
+        count = 0;
+        const auto replace = [&](T& x) { x = count++ == place ? std::numeric_limits<T>::quiet_NaN() : x; };
+        for_each_number(changed, replace);
+        aabb<T> bounds = changed.bounds();
+        for (const vec3<T>* corner : {&bounds.min, &bounds.max}) {
+            if (!(is_nan(corner->x) && is_nan(corner->y) && is_nan(corner->z))) {
+                wrong = "bounds without the NaN of number " + std::to_string(place);
+            }
+        }
+    }
+    return wrong;
+}
+
 /// The largest and the smallest numbers and zero, anywhere, are answered soundly.
 template <class Shape>
 std::string extreme_answer(const probe<Shape>& p) {
@@ -314,6 +335,7 @@ void check_properties() {
     check("closed window", 10'000, [](const probe& p, auto&) { return open_window(p); });
     check("length of direction", 10'000, [](const probe& p, auto&) { return direction_not_scaled(p); });
     check("NaN and infinity", 2'000, [](const probe& p, auto&) { return impossible_hit(p); });
+    check("NaN in bounds", 200, [](const probe& p, auto&) { return bounds_without_nan(p); });
     check("extreme numbers", 2'000, [](const probe& p, auto&) { return extreme_answer(p); });
     check("spawned rays", 10'000, [](const probe& p, random_numbers& random) { return spawned_hit(p, random); });
     if constexpr (solid<Shape>) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -9,6 +11,7 @@
 #include <raio/bvh/morton.hpp>
 #include <raio/bvh/options.hpp>
 #include <raio/bvh/presplit.hpp>
+#include <raio/failure.hpp>
 
 namespace raio::detail {
 
@@ -55,7 +58,7 @@ public:
     void refit(const Sources& shapes) {
         std::size_t count = 0;
         std::apply([&](const auto&... source) { ((count += source.size()), ...); }, shapes);
-        if (count != count_) throw std::invalid_argument("raio::bvh: refit with another number of shapes");
+        if (count != count_) detail::fail(std::invalid_argument("raio::bvh: refit with another number of shapes"));
         assembled moved;
         moved.first_id_ = first_id_;
         build_box centers;
@@ -139,7 +142,7 @@ private:
         for_each_kind([&](auto kind) {
             first_id_[kind()] = static_cast<std::uint32_t>(count);
             count += std::get<kind()>(shapes).size();
-            if (count > most_shapes) throw std::length_error("raio::bvh: more than 2^27 shapes");
+            if (count > most_shapes) detail::fail(std::length_error("raio::bvh: more than 2^27 shapes"));
         });
         count_ = static_cast<std::uint32_t>(count);
         large_vector<build_box> references(count_);
@@ -190,12 +193,15 @@ private:
             const part p = part_of(i, part_size, shapes.size());
             box_summary own;
             for (std::size_t j = p.begin; j < p.end; ++j) {
+                if constexpr (requires { shapes[j].check(); }) shapes[j].check();
                 const aabb<T> box = shapes[j].bounds();
                 const auto id = first_id + static_cast<std::uint32_t>(j);
                 references[id] = {};
-                if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) continue;
-                if (!is_finite(box.min) || !is_finite(box.max)) {
-                    throw std::invalid_argument("raio::bvh: shape " + std::to_string(id) + " has no finite bounds");
+                const bool nan = is_nan(box);
+                if (!nan && (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z)) continue;
+                if (nan || !is_finite(box.min) || !is_finite(box.max)) {
+                    detail::fail(
+                        std::invalid_argument("raio::bvh: shape " + std::to_string(id) + " has no finite bounds"));
                 }
                 references[id] = to_build_box(aabb<T>{box.min * scale, box.max * scale}, id);
                 own.add({box, references[id], center_box(references[id]), 1});
@@ -264,3 +270,5 @@ private:
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -121,3 +123,5 @@ void grow_branches(binary_tree& tree, std::span<const binary_node> top, std::spa
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <span>
 
 #include <raio/bvh/build_box.hpp>
@@ -121,3 +123,5 @@ struct bins {
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/binary_tree.hpp>
 #include <raio/bvh/binning.hpp>
 #include <raio/bvh/parallel.hpp>
@@ -87,7 +89,7 @@ private:
             const std::uint32_t kind = kind_of_(references[from.begin].id());
             const auto same = [&](std::size_t i) { return kind_of_(references[i].id()) == kind; };
             std::uint32_t count = 0;
-            for (std::size_t i = from.begin; i < from.end; ++i) count += same(i) ? 1 : 0;
+            for (std::size_t i = from.begin; i < from.end; ++i) count += same(i) ? 1u : 0u;
             division d = divide_at(from, count);
             distribute(from, d, [&](const build_box&, std::size_t i) { return same(i); });
             return d;
@@ -244,3 +246,5 @@ private:
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

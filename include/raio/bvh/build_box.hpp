@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -91,3 +93,5 @@ build_box to_build_box(const aabb<T>& box, std::uint32_t id = 0) {
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/assemble.hpp>
 #include <raio/bvh/hit_list.hpp>
 #include <raio/bvh/nearest.hpp>
@@ -24,7 +26,7 @@ namespace raio {
 /// The shapes are copied, but for those of a `bvh<mesh_triangle<T>>`. Every shape must have finite bounds; shapes
 /// without any point are left out.
 template <bounded P, bounded... Rest>
-requires(std::floating_point<number_t<P>> && (std::same_as<number_t<Rest>, number_t<P>> && ...)) class bvh {
+requires(std::floating_point<number_t<P>>&& of_one_number_type<P, Rest...>) class bvh {
     using leaves = typename detail::assembled<P, Rest...>::leaves_type;
     static constexpr std::size_t kind_count = 1 + sizeof...(Rest);
     static constexpr bool all_solid = solid<P> && (solid<Rest> && ...);
@@ -334,3 +336,5 @@ template <class... Members>
 bvh(const group<Members...>&, const bvh_options& = {}) -> bvh<typename detail::primitive_of<Members>::type...>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/binary_tree.hpp>
 #include <raio/bvh/parallel.hpp>
 #include <raio/bvh/wide_node.hpp>
@@ -265,3 +267,5 @@ private:
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

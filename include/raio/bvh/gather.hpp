@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <cstring>
 
 #include <raio/concepts.hpp>
@@ -97,3 +99,5 @@ template <gatherable Shape, std::size_t N>
 using gathered = typename find_gathered<Shape, N>::type;
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

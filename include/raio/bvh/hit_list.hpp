@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -79,3 +81,5 @@ void for_each_crossing(const Shape& shape, const ray<T>& ray, T t_min, T t_max, 
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <new>
 #include <type_traits>
 #include <vector>
+
+#include <raio/config.hpp>
 
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
@@ -54,3 +58,5 @@ template <class Value>
 using large_vector = std::vector<Value, large_pages<Value>>;
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <optional>
 #include <vector>
 
@@ -91,7 +93,7 @@ public:
         std::ranges::copy(ids, given.begin());
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             std::size_t before = 0;
-            for (const std::uint32_t other : given) before += other < given[lane] ? 1 : 0;
+            for (const std::uint32_t other : given) before += other < given[lane] ? 1u : 0u;
             sorted[before] = given[lane];
         }
         // Several pieces of one shape have come to one place.
@@ -194,3 +196,5 @@ using leaves_of = std::conditional_t<gatherable<Shape>, leaf_blocks<Shape>, leaf
 }  // namespace detail
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <tuple>
 
 #include <raio/bvh/leaf.hpp>
@@ -93,3 +95,5 @@ private:
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

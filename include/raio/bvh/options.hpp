@@ -1,5 +1,9 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
+#include <raio/config.hpp>
+
 namespace raio {
 
 /// How much time goes into a tree, and how much of it comes back with every ray.
@@ -15,3 +19,5 @@ struct bvh_options {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

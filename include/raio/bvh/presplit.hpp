@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/binning.hpp>
 #include <raio/bvh/gather.hpp>
 #include <raio/bvh/large_pages.hpp>
@@ -19,7 +21,7 @@ using corners = std::array<vec3<double>, 3>;
 
 /// How much of a box is empty, in a measure that evens out what is gained by the next cut.
 inline float split_priority(const build_box& box, const corners& t) {
-    const vec3<double> normal = cross(vec3<double>(t[1] - t[0]), vec3<double>(t[2] - t[0]));
+    const vec3<double> normal = cross(t[1] - t[0], t[2] - t[0]);
     const double ideal = 0.5 * norm1(normal);  // the boxes of ever smaller pieces come to that
     return static_cast<float>(std::cbrt(std::max(0.0, static_cast<double>(box.half_area()) - ideal)));
 }
@@ -147,3 +149,5 @@ large_vector<build_box> presplit(std::span<const build_box> references, float bu
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

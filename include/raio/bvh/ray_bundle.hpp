@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <span>
 
 #include <raio/aabb.hpp>
@@ -170,3 +172,5 @@ private:
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

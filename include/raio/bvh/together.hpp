@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/traverse.hpp>
 
 /// \file
@@ -68,3 +70,5 @@ bool visit_leaves_together(const Tree& tree, const rays_in_lanes<T>& lanes, std:
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/ray_bundle.hpp>
 
 namespace raio::detail {
@@ -154,3 +156,5 @@ void traverse(std::span<const wide_node> nodes, const ray_bundle& bundle, float 
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/bvh/build_box.hpp>
 #include <raio/bvh/large_pages.hpp>
 #include <raio/number/simd.hpp>
@@ -171,3 +173,5 @@ private:
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

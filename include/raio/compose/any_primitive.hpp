@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <memory>
 
 #include <raio/concepts.hpp>
@@ -128,3 +130,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 
 /// \file
@@ -80,9 +82,18 @@ RAIO_FN constexpr auto ends_of(const P& shape, const Ray& ray, index_t<number_t<
 
 }  // namespace detail
 
+namespace detail {
+
+/// Can a solid be made of what they hold?
+template <class A, class B>
+concept solids_to_compose = solid<held_t<A>> && solid<held_t<B>> && of_one_number_type<held_t<A>, held_t<B>>;
+
+}  // namespace detail
+
 /// Two solids and what is made of them; again a solid. Each of them is a primitive, or a pointer to one that is shared.
 template <set_operation Operation, holder A, holder B>
-requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
+requires detail::solids_to_compose<A, B>
+struct csg {
     using number = number_t<detail::held_t<A>>;
     using T = number;
 
@@ -119,7 +130,7 @@ requires(solid<detail::held_t<A>>&& solid<detail::held_t<B>>) struct csg {
     RAIO_FN constexpr aabb<T> bounds() const requires(bounded<detail::held_t<A>>&& bounded<detail::held_t<B>>) {
         const aabb<T> of_a = detail::held(a).bounds(), of_b = detail::held(b).bounds();
         if constexpr (Operation == set_operation::unite) return hull(of_a, of_b);
-        if constexpr (Operation == set_operation::subtract) return of_a;
+        if constexpr (Operation == set_operation::subtract) return unless_nan(of_a, of_b);
         return padded(overlap(of_a, of_b));  // a point that was rounded onto one box may lie beyond the other
     }
 
@@ -174,18 +185,20 @@ private:
 
 /// Inside `a` or `b`.
 template <holder A, holder B>
-RAIO_FN constexpr csg<set_operation::unite, A, B> union_of(A a, B b) {
-    return {std::move(a), std::move(b)};
+requires detail::solids_to_compose<A, B> RAIO_FN constexpr auto union_of(A a, B b) {
+    return csg<set_operation::unite, A, B>{std::move(a), std::move(b)};
 }
 /// Inside both.
 template <holder A, holder B>
-RAIO_FN constexpr csg<set_operation::intersect, A, B> intersection_of(A a, B b) {
-    return {std::move(a), std::move(b)};
+requires detail::solids_to_compose<A, B> RAIO_FN constexpr auto intersection_of(A a, B b) {
+    return csg<set_operation::intersect, A, B>{std::move(a), std::move(b)};
 }
 /// Inside `a` and not inside `b`.
 template <holder A, holder B>
-RAIO_FN constexpr csg<set_operation::subtract, A, B> difference_of(A a, B b) {
-    return {std::move(a), std::move(b)};
+requires detail::solids_to_compose<A, B> RAIO_FN constexpr auto difference_of(A a, B b) {
+    return csg<set_operation::subtract, A, B>{std::move(a), std::move(b)};
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

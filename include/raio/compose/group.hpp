@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <ranges>
 #include <tuple>
 #include <utility>
@@ -53,7 +55,8 @@ consteval std::size_t room_of_member() {
 /// Each type stands in a range of its own, so that every loop is a plain loop over one type. `hit_record::index` counts
 /// through all members in the order in which they were given; a group that is itself a member counts as one.
 template <group_member First, group_member... Rest>
-struct group {
+requires of_one_number_type < typename detail::primitive_of<First>::type,
+typename detail::primitive_of<Rest>::type... > struct group {
     using number = number_t<typename detail::primitive_of<First>::type>;
     using T = number;
 
@@ -131,3 +134,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 
 #include <raio/concepts.hpp>
@@ -51,3 +53,5 @@ template <real P, primitive Shape>
 in_lanes<P, Shape> in_every_lane(const Shape&&) = delete;  // which would not live long enough
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -9,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <raio/failure.hpp>
 #include <raio/number/simd.hpp>
 #include <raio/shape/triangle.hpp>
 
@@ -67,14 +70,15 @@ struct mesh {
         for (std::size_t i = 0; i < size(); ++i) {
             for (const std::uint32_t vertex : triangles[i]) {
                 if (vertex >= vertices.size()) {
-                    throw std::invalid_argument("raio::mesh: triangle " + std::to_string(i) + " has vertex " +
-                                                std::to_string(vertex) + " of " + std::to_string(vertices.size()));
+                    detail::fail(std::invalid_argument("raio::mesh: triangle " + std::to_string(i) + " has vertex " +
+                                                       std::to_string(vertex) + " of " +
+                                                       std::to_string(vertices.size())));
                 }
             }
         }
         const auto fits = [&](std::size_t count) { return count == 0 || count == vertices.size(); };
-        if (!fits(normals.size())) throw std::invalid_argument("raio::mesh: not as many normals as vertices");
-        if (!fits(uv.size())) throw std::invalid_argument("raio::mesh: not as many uv as vertices");
+        if (!fits(normals.size())) detail::fail(std::invalid_argument("raio::mesh: not as many normals as vertices"));
+        if (!fits(uv.size())) detail::fail(std::invalid_argument("raio::mesh: not as many uv as vertices"));
     }
 
     /// The unit mean of the normals of the triangle's vertices where a ray has hit it, on the side that was hit; the
@@ -212,3 +216,5 @@ struct mesh_triangle {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/compose/transformed.hpp>
 
 namespace raio {
@@ -119,3 +121,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/surface_sample.hpp>
 
@@ -72,7 +74,7 @@ struct quick : P {
 
     template <ray_of<T> Ray = raio::ray<T>>
     RAIO_FLATTEN RAIO_FN constexpr auto spans(const Ray& ray) const requires(solid<P>) {
-        return spans_between<T>(this->crossings(line_in<plain<T>>(ray)));
+        return spans_between<T>(detail::every_end(*this, line_in<plain<T>>(ray)));
     }
 
     /// Records the crossing at t, which has been found before: the nearest to it, should other instructions have
@@ -103,3 +105,5 @@ struct rebind<quick<P>, U> {
 }  // namespace detail
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

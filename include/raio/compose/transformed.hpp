@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/math/transform.hpp>
 #include <raio/proof/lanes.hpp>
@@ -64,7 +66,7 @@ public:
     RAIO_FN constexpr aabb<T> bounds() const requires(bounded<P>) {
         using B = working_t<T>;
         const aabb<T> box = primitive().bounds();
-        if (!(box.min.x <= box.max.x)) return box;
+        if (!(box.min.x <= box.max.x)) return unless_nan(box, map().x, map().y, map().z, map().origin);
         vec3<B> low(map().origin), high = low, size = abs(low);
         const auto add = [&](const vec3<T>& axis, const T& from, const T& to) {
             for (glm::length_t i = 0; i < 3; ++i) {
@@ -77,7 +79,8 @@ public:
         add(map().y, box.min.y, box.max.y);
         add(map().z, box.min.z, box.max.z);
         vec3<B> off = size * B(8 * unit_roundoff<B>);
-        return padded(aabb<T>{vec3<T>(low - off), vec3<T>(high + off)});
+        return unless_nan(padded(aabb<T>{vec3<T>(low - off), vec3<T>(high + off)}), map().x, map().y, map().z,
+                          map().origin);
     }
 
     /// What is in one lane of packs.
@@ -99,3 +102,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
@@ -93,7 +95,9 @@ template <real T>
 RAIO_FN constexpr aabb<T> axial_bounds(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
     vec3<T> axis = top - base, rounding(norm1(axis) * T(unit_roundoff<T>));
     vec3<T> low = disc_reach(axis, radii.x) + rounding, high = disc_reach(axis, radii.y) + rounding;
-    return padded(hull(aabb<T>{base - low, base + low}, aabb<T>{top - high, top + high}));
+    return unless_nan(padded(hull(aabb<T>{base - low, base + low}, aabb<T>{top - high, top + high})), radii.x, radii.y);
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

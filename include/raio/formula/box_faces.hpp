@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/aabb.hpp>
 
 /// \file
@@ -34,3 +36,5 @@ RAIO_FN constexpr void clipped_surface(Point& at, const aabb<T>& box, const Inde
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/line.hpp>
 #include <raio/proof/normal.hpp>
 #include <raio/proof/settle.hpp>
@@ -151,3 +153,5 @@ RAIO_FN constexpr void flat_surface(Point& at, const aabb<T>& corners, Edge edge
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

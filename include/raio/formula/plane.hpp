@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/hit_record.hpp>
 #include <raio/proof/chord.hpp>
 
@@ -37,3 +39,5 @@ RAIO_FN constexpr chord<W> cross_between(const bounded_number<W>& to_low, const 
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

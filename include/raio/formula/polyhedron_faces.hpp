@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/interval.hpp>
 #include <raio/math/vec.hpp>
 
@@ -150,3 +152,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

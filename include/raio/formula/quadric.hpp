@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/formula/axis.hpp>
 #include <raio/proof/line.hpp>
 #include <raio/proof/parabola.hpp>
@@ -95,3 +97,5 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const D& d, const L& l, const ro
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/polynomial_crossings.hpp>
 
 /// \file
@@ -95,3 +97,5 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/line.hpp>
 #include <raio/proof/settle.hpp>
 
@@ -184,3 +186,5 @@ template <class Line, real T>
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/extremum.hpp>
 #include <raio/proof/polynomial_crossings.hpp>
 
@@ -34,3 +36,5 @@ struct sweep {
 };
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <numbers>
 
 #include <raio/number/real.hpp>
@@ -74,3 +76,5 @@ RAIO_FN constexpr T fraction(const T& x) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/polynomial.hpp>
 
 namespace raio {
@@ -33,3 +35,5 @@ RAIO_FN constexpr std::array<W, 3> derivatives_at(const polynomial<W, 3>& p, con
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

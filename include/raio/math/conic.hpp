@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,3 +54,5 @@ struct conic {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

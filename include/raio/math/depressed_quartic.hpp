@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/polynomial.hpp>
 
 /// \file
@@ -99,3 +101,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

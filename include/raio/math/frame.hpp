@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/vec.hpp>
 
 namespace raio {
@@ -25,3 +27,5 @@ RAIO_FN constexpr frame<T> frame_about(const vec3<T>& z, const T& length = T(1))
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

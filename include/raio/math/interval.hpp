@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -139,3 +141,5 @@ RAIO_FN constexpr spans<T, room<N, M>> subtract(const spans<T, N>& a, const span
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -263,3 +265,5 @@ RAIO_FN constexpr polynomial<W, 2 * N> square(const polynomial_vector<W, N>& p) 
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

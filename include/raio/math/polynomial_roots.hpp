@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/depressed_quartic.hpp>
 #include <raio/math/root_finder.hpp>
 
@@ -160,3 +162,5 @@ RAIO_FN constexpr stretches<W, N> stretches_below_zero(const polynomial<W, N>& p
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

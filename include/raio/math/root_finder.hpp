@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/polynomial.hpp>
 
 /// \file
@@ -319,3 +321,5 @@ private:
 }  // namespace detail
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

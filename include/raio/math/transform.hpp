@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <stdexcept>
 
 #include <raio/math/vec.hpp>
@@ -78,3 +80,5 @@ RAIO_FN constexpr transform<T> rotation(const vec3<T>& axis, const T& angle) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -64,6 +66,12 @@ RAIO_FN constexpr vec3<T> abs(const vec3<T>& a) {
 template <real T>
 RAIO_FN constexpr mask_t<T> is_finite(const vec3<T>& a) {
     return every(is_finite(a.x), is_finite(a.y), is_finite(a.z));
+}
+
+/// Is one of the components no number?
+template <real T>
+RAIO_FN constexpr mask_t<T> is_nan(const vec3<T>& a) {
+    return some(is_nan(a.x), is_nan(a.y), is_nan(a.z));
 }
 
 /// At least |a.(b x c)|, whatever the signs of the components: the terms of the triple product added up as magnitudes.
@@ -142,3 +150,5 @@ RAIO_FN constexpr vec2<T> select(Mask mask, const vec2<T>& a, const vec2<T>& b) 
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/number/double_double.hpp>
 
 /// \file
@@ -277,3 +279,5 @@ RAIO_FN constexpr A abs(const A& a) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

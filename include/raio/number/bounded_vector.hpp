@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/number/choice.hpp>
 
 /// \file
@@ -309,3 +311,5 @@ RAIO_FN constexpr auto operator*(const V& v, const S& s) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

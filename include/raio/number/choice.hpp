@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/number/comparison.hpp>
 
 /// \file
@@ -93,3 +95,5 @@ RAIO_FN constexpr auto min(const A& a, const B& b) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/number/bounded_number.hpp>
 #include <raio/number/verdict.hpp>
 
@@ -156,3 +158,5 @@ RAIO_FN constexpr mask_t<W> answer_of(const verdict<mask_t<W>>& exists, const bo
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

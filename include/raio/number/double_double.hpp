@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <bit>
 
 #include <raio/number/plain.hpp>
@@ -306,3 +308,5 @@ public:
     static constexpr int digits = 101;  // that our operations guarantee; there is room for 106
     static constexpr double epsilon() { return 0x1p-100; }
 };
+
+#include <raio/pop_macros.hpp>

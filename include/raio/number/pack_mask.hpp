@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <bit>
 #include <concepts>
 #include <cstddef>
@@ -121,3 +123,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <type_traits>
 
 #include <raio/number/real.hpp>
@@ -89,3 +91,5 @@ inline constexpr bool is_believed<plain<T>> = true;
 
 template <class T>
 class std::numeric_limits<raio::plain<T>> : public std::numeric_limits<T> {};
+
+#include <raio/pop_macros.hpp>

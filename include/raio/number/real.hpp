@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <bit>
 #include <cmath>
 #include <concepts>
@@ -278,6 +280,11 @@ RAIO_FN constexpr mask_t<T> is_finite(const T& x) {
     return abs(x) < infinity<T>;
 }
 
+template <real T>
+RAIO_FN constexpr mask_t<T> is_nan(const T& x) {
+    return !mask_t<T>(x == x);
+}
+
 /// a / b, and `otherwise` where b is zero.
 template <real T>
 RAIO_FN constexpr T quotient(const T& a, const T& b, const T& otherwise) {
@@ -286,3 +293,5 @@ RAIO_FN constexpr T quotient(const T& a, const T& b, const T& otherwise) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

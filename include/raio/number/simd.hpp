@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <cstring>
 
@@ -245,3 +247,5 @@ inline constexpr S pi<pack<S, N>> = pi<S>;
 
 template <class S, std::size_t N>
 class std::numeric_limits<raio::pack<S, N>> : public std::numeric_limits<S> {};
+
+#include <raio/pop_macros.hpp>

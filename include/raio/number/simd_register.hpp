@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -197,3 +199,5 @@ RAIO_FN constexpr void fill(Register (&registers)[N], F f) {
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

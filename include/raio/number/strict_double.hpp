@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <type_traits>
 
 #include <raio/number/real.hpp>
@@ -105,3 +107,5 @@ private:
 
 template <>
 class std::numeric_limits<raio::strict_double> : public std::numeric_limits<double> {};
+
+#include <raio/pop_macros.hpp>

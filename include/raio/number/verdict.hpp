@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/number/real.hpp>
 
 namespace raio {
@@ -47,3 +49,5 @@ RAIO_FN constexpr verdict<Mask> some(const verdict<Mask>& a, const More&... more
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

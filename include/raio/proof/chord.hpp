@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/crossing.hpp>
 
 /// \file
@@ -307,3 +309,5 @@ RAIO_FN constexpr void keep_if_in_range(const Line& line, chord_pair<W>& c) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/interval.hpp>
 #include <raio/number/bounded_vector.hpp>
 #include <raio/ray.hpp>
@@ -207,3 +209,5 @@ RAIO_FN constexpr void keep_if_in_range(const Line& line, crossing<W>& c) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

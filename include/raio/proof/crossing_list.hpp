@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <utility>
 
 #include <raio/math/polynomial_roots.hpp>
@@ -317,3 +319,5 @@ requires detail::lists_crossings<Shape, Ray> RAIO_FN constexpr auto inside_of(co
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/polynomial.hpp>
 #include <raio/proof/chord.hpp>
 
@@ -38,3 +40,5 @@ RAIO_FN constexpr root_pair<W> extremes_near(const differentiated<W, N>& b, cons
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

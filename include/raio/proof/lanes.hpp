@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <cstring>
 
 #include <raio/hit_record.hpp>
@@ -169,3 +171,5 @@ RAIO_FN auto spans_in_lanes(const Packed& packed, const ray<R>& ray) {
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

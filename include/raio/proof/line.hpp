@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/number/bounded_vector.hpp>
 #include <raio/ray.hpp>
 
@@ -114,3 +116,5 @@ struct mapped_line : shape_numbers<W> {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/polynomial.hpp>
 #include <raio/proof/line_part.hpp>
 
@@ -106,3 +108,5 @@ private:
 }  // namespace detail
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

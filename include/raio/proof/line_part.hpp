@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/polynomial.hpp>
 #include <raio/proof/crossing_list.hpp>
 #include <raio/proof/line.hpp>
@@ -111,3 +113,5 @@ RAIO_FN constexpr line_part<W> part_near(const Line& line, const vec3<T>& base, 
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

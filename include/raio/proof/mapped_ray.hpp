@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/transform.hpp>
 #include <raio/proof/line.hpp>
 
@@ -278,3 +280,5 @@ template <class Ray, class T>
 concept ray_of = std::derived_from<Ray, ray<T>> || std::derived_from<Ray, mapped_ray<T>>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/record.hpp>
 
 /// \file
@@ -88,3 +90,5 @@ RAIO_FN constexpr vec3<Q> mirrored_against(const vec3<Q>& outward, const vec3<Q>
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

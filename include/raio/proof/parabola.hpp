@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/chord.hpp>
 
 /// \file
@@ -160,3 +162,5 @@ RAIO_FN constexpr chords_for_t<W, Wanted> intersect(const hollow_chord<W>& c, co
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

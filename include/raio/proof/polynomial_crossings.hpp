@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/line_part.hpp>
 
 /// \file
@@ -208,3 +210,5 @@ RAIO_FN constexpr auto error_of_tangent(const Point& at) {
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/hit_record.hpp>
 #include <raio/proof/crossing.hpp>
 #include <raio/proof/mapped_ray.hpp>
@@ -343,3 +345,5 @@ RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const
 }  // namespace detail
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

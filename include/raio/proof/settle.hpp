@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 
 #include <raio/proof/record.hpp>
@@ -153,6 +155,23 @@ RAIO_FN constexpr interval<T> between_ends(const Near& near, const Far& far) {
     return interval<T>{select(meets, T(near.t), infinity<T>), select(meets, T(far.t), -infinity<T>)};
 }
 
+/// The crossings of a solid, also those whose point no number can say. One that has no end in some direction says which
+/// part of the line is `inside`: it may be all of it, or all from some point on.
+template <class Shape, class Line>
+RAIO_FORMULA constexpr auto every_end(const Shape& shape, const Line& line) {
+    if constexpr (requires { shape.inside(line); }) {
+        using W = typename Line::number;
+        auto c = shape.inside(line);
+        const bound_t<W> speed = most_of(line.direction());
+        const mask_t<W> is_line = every(speed > bound_t<W>(0), is_finite(speed), is_finite(most_of(line.origin())));
+        const mask_t<W> ends = some(is_finite(c.near.t), is_finite(c.far.t), is_line);
+        c.near.exists = every(c.near.exists, ends), c.far.exists = every(c.far.exists, ends);
+        return c;
+    } else {
+        return shape.crossings(line);
+    }
+}
+
 }  // namespace detail
 
 /// Where the line is inside a solid whose crossings these are.
@@ -161,23 +180,27 @@ RAIO_FN constexpr interval<T> spans_between(const chord<W>& c) {
     return detail::between_ends<T>(c.near, c.far);
 }
 
-/// Where the line is inside a convex solid; empty where it misses. Both ends are what a hit records for t.
+/// Where the line is inside a convex solid; empty where it misses. Both ends are what a hit records for t,
+/// or infinite where the solid has no end.
 template <class Shape, class Ray>
 RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
     using T = typename Shape::number;
     if constexpr (detail::works_first<T>) {
         detail::keep_as_stored<T>(shape, unmapped(ray));
-        auto quick = shape.crossings(line_in<working_t<T>>(ray));
+        auto quick = detail::every_end(shape, line_in<working_t<T>>(ray));
         auto& [near, far] = quick;
         const bool missed = every(!near.exists, !far.exists, near.certain, far.certain);
         const auto is_known = [](const auto& c) {
-            if constexpr (detail::keeps_all_digits<T>) return detail::is_known<T>(c);
+            if constexpr (detail::keeps_all_digits<T>) {
+                const bool is_no_end = c.certain && !is_finite(c.t) && c.error == bound_t<working_t<T>>(0);
+                return is_no_end || detail::is_known<T>(c);
+            }
             return c.certain && detail::rounds_to_one<T>(c);
         };
         const bool known = is_known(near);
         if (missed || every(known, is_known(far))) [[likely]]
             return detail::between_ends<T>(near, far);
-        const auto exact = shape.crossings(line_in<exact_t<T>>(ray));
+        const auto exact = detail::every_end(shape, line_in<exact_t<T>>(ray));
         if constexpr (detail::keeps_all_digits<T>) {  // the same that `visit_recorded` finds
             const bool found = exact.far.exists || (!known && exact.near.exists);
             const crossing<working_t<T>>& open = known ? far : near;
@@ -186,8 +209,10 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
         }
         return detail::between_ends<T>(exact.near, exact.far);
     } else {
-        return spans_between<T>(shape.crossings(line_in<exact_t<T>>(ray)));
+        return spans_between<T>(detail::every_end(shape, line_in<exact_t<T>>(ray)));
     }
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/lanes.hpp>
 #include <raio/proof/record.hpp>
 #include <raio/proof/window.hpp>
@@ -265,3 +267,5 @@ requires requires(const Shape shape, const ray<R> ray) { shape.crossings(line_in
 RAIO_FN auto inside_of(const Shape& shape, const ray<R>& ray) { return detail::spans_in_lanes(shape, ray); }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

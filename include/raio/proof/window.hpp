@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/chord.hpp>
 #include <raio/proof/mapped_ray.hpp>
 
@@ -158,3 +160,5 @@ RAIO_FN constexpr verdict<W> settled_in_window(const chord_pair<W>& c, T t_min, 
 }
 
 }  // namespace raio::detail
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <vector>
 
@@ -44,7 +46,11 @@ struct algebraic {
 
     RAIO_FN constexpr auto spans(const ray<T>& ray) const requires(Closed) { return inside_of(*this, ray); }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{min, max}); }
+    RAIO_FN constexpr aabb<T> bounds() const {
+        aabb<T> box = unless_nan(padded(aabb<T>{min, max}), min, max);
+        for (const algebraic_term<T>& term : terms) box = unless_nan(box, term.coefficient);
+        return box;
+    }
 
     /// f at a point.
     template <class W>
@@ -141,3 +147,5 @@ template <real T, std::size_t Degree, class Terms = std::vector<algebraic_term<T
 using open_algebraic = algebraic<T, Degree, false, Terms>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/sweep.hpp>
 #include <raio/math/angle.hpp>
@@ -163,3 +165,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 #include <tuple>
 #include <utility>
@@ -48,7 +50,7 @@ struct bilinear_patch {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return padded(corners()); }
+    RAIO_FN constexpr aabb<T> bounds() const { return unless_nan(padded(corners()), p00, p10, p01, p11); }
 
     template <class Line>
     RAIO_FORMULA constexpr crossing_list<typename Line::number, 2> crossings(const Line& line) const {
@@ -194,7 +196,11 @@ private:
         return {difference_as<W>(p10, p00), difference_as<W>(p01, p00), difference_as<W>(p11, p10)};
     }
 
-    RAIO_FN constexpr aabb<T> corners() const { return hull(hull(hull(aabb<T>{p00, p00}, p10), p01), p11); }
+    RAIO_FN constexpr aabb<T> corners() const {
+        return hull_of_numbers(hull_of_numbers(aabb<T>{p00, p00}, p10), hull_of_numbers(aabb<T>{p01, p01}, p11));
+    }
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 
 #include <raio/concepts.hpp>
@@ -62,7 +64,9 @@ struct blob {
             const auto around = [&](const vec3<T>& p) { return aabb<T>{p - vec3<T>(m.radius), p + vec3<T>(m.radius)}; };
             all = hull(all, hull(around(m.center), around(m.center + m.axis)));
         }
-        return padded(padded(all));
+        all = unless_nan(padded(padded(all)), threshold);
+        for (const metaball<T>& m : components) all = unless_nan(all, m.center, m.radius, m.strength, m.axis);
+        return all;
     }
 
     /// The sum of the fields at a point.
@@ -234,3 +238,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

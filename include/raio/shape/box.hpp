@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/box_faces.hpp>
 #include <raio/formula/plane.hpp>
@@ -34,7 +36,7 @@ struct box {
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{min, max}); }
+    RAIO_FN constexpr aabb<T> bounds() const { return unless_nan(padded(aabb<T>{min, max}), min, max); }
 
     RAIO_FN constexpr T area() const { return T(2) * aabb<T>{min, max}.half_area(); }
 
@@ -166,3 +168,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/shape/cylinder.hpp>
 #include <raio/shape/sphere.hpp>
 
@@ -88,3 +90,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

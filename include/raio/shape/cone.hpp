@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/shape/frustum.hpp>
 
 /// \file
@@ -102,3 +104,5 @@ template <real T>
 using open_cone = cone<T, false>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <vector>
 
 #include <raio/concepts.hpp>
@@ -74,7 +76,9 @@ struct convex_polyhedron {
             has_vertex = true;
             box = hull(hull(box, vec3<T>(from)), vec3<T>(to));
         });
-        return ends && has_vertex ? padded(box) : unbounded<T>();
+        box = ends && has_vertex ? padded(box) : unbounded<T>();
+        for (const half_space<T>& plane : planes) box = unless_nan(box, plane.normal, plane.offset);
+        return box;
     }
 
     /// Infinite for a polyhedron without end.
@@ -104,6 +108,14 @@ struct convex_polyhedron {
 
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
+        auto c = inside(line);
+        keep_if_reachable<T>(line, c);
+        return c;
+    }
+
+    /// The part of the line that is inside. Where that does not begin, or does not end, t is infinite.
+    template <class Line>
+    RAIO_FORMULA constexpr chord<typename Line::number> inside(const Line& line) const {
         using W = typename Line::number;
         const auto origin = line.from(vec3<T>(T(0)));
         chord<W> c = everywhere<W>();
@@ -116,7 +128,6 @@ struct convex_polyhedron {
             if (missed(c)) break;
             face = face + index_t<W>(1);
         }
-        keep_if_in_range<T>(line, c);
         return c;
     }
 
@@ -165,3 +176,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

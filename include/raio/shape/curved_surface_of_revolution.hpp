@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/math/bezier.hpp>
 #include <raio/shape/surface_of_revolution.hpp>
 
@@ -83,3 +85,5 @@ template <real T>
 using curved_surface_of_revolution = surface_of_revolution<T, 3>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/axis.hpp>
 #include <raio/proof/line.hpp>
@@ -132,3 +134,5 @@ template <real T>
 using open_cylinder = cylinder<T, false>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/shape/ring.hpp>
 
 namespace raio {
@@ -53,3 +55,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

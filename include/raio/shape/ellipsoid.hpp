@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/sphere.hpp>
 #include <raio/math/angle.hpp>
@@ -33,7 +35,9 @@ struct ellipsoid {
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{center - radii, center + radii}); }
+    RAIO_FN constexpr aabb<T> bounds() const {
+        return unless_nan(padded(aabb<T>{center - radii, center + radii}), center, radii);
+    }
 
     template <class Line>
     [[gnu::always_inline]] RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
@@ -78,3 +82,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/quadric.hpp>
 #include <raio/proof/normal.hpp>
@@ -179,3 +181,5 @@ template <real T>
 using open_frustum = frustum<T, false>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <algorithm>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include <raio/failure.hpp>
 #include <raio/shape/triangle.hpp>
 
 namespace raio {
@@ -66,10 +71,22 @@ struct heightfield {
         return found;
     }
 
+    /// \throws std::invalid_argument  for heights that do not fill whole rows, or fewer than two rows or columns
+    void check() const {
+        if (columns < 2 || heights.size() / columns < 2 || heights.size() % columns != 0) {
+            detail::fail(std::invalid_argument("raio::heightfield: " + std::to_string(heights.size()) +
+                                               " heights are not two rows or more of " + std::to_string(columns) +
+                                               " columns, of which there must be two"));
+        }
+    }
+
+    /// Holes have none. (NaN, if that is what the rectangle has.)
     aabb<T> bounds() const {
-        aabb<T> box;
-        for (std::size_t i = 0; i < size(); ++i) box = hull(box, (*this)[i].bounds());
-        return box;
+        aabb<T> all;
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (const aabb<T> box = (*this)[i].bounds(); !is_nan(box)) all = hull(all, box);
+        }
+        return unless_nan(all, vec3<T>(min, T(0)), vec3<T>(max, T(0)));
     }
 
 private:
@@ -171,3 +188,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/quadric.hpp>
 #include <raio/math/conic.hpp>
@@ -146,7 +148,8 @@ struct hyperboloid {
     }
 
     RAIO_FN constexpr aabb<T> bounds() const {
-        return detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius)));
+        return unless_nan(detail::axial_bounds(base, top, vec2<T>(max(waist_radius, end_radius))), waist_radius,
+                          end_radius);
     }
 
     RAIO_FN T area() const requires(std::floating_point<T>) {
@@ -187,3 +190,5 @@ template <real T>
 using open_hyperboloid = hyperboloid<T, false>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

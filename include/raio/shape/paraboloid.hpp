@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <cmath>
 
 #include <raio/formula/quadric.hpp>
@@ -42,7 +44,7 @@ RAIO_FN constexpr aabb<T> paraboloid_bounds(const vec3<T>& vertex, const vec3<T>
     vec3<T> up(highest(axis.x, reach.x), highest(axis.y, reach.y), highest(axis.z, reach.z));
     vec3<T> down(highest(-axis.x, reach.x), highest(-axis.y, reach.y), highest(-axis.z, reach.z));
     vec3<T> rounding(norm1(axis) * T(2 * unit_roundoff<T>));
-    return padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)});
+    return unless_nan(padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)}), vertex, top, radius);
 }
 
 /// The area of the side.
@@ -133,3 +135,5 @@ template <real T>
 using open_paraboloid = paraboloid<T, false>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/edges.hpp>
 #include <raio/surface_sample.hpp>
@@ -29,7 +31,7 @@ struct parallelogram {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return padded(corners()); }
+    RAIO_FN constexpr aabb<T> bounds() const { return unless_nan(padded(corners()), corner, edge_u, edge_v); }
 
     RAIO_FN constexpr T area() const { return length(cross(edge_u, edge_v)); }
 
@@ -59,9 +61,11 @@ private:
     RAIO_FN constexpr aabb<T> corners() const {
         using W = wider_t<T>;
         vec3<W> along_u = vec3<W>(corner) + vec3<W>(edge_u), along_v = vec3<W>(corner) + vec3<W>(edge_v);
-        aabb<T> box = hull(hull(aabb<T>{corner, corner}, vec3<T>(along_u)), vec3<T>(along_v));
-        return hull(box, vec3<T>(along_u + vec3<W>(edge_v)));
+        aabb<T> box = hull_of_numbers(hull_of_numbers(aabb<T>{corner, corner}, vec3<T>(along_u)), vec3<T>(along_v));
+        return hull_of_numbers(box, vec3<T>(along_u + vec3<W>(edge_v)));
     }
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
@@ -32,7 +34,7 @@ struct plane {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return unbounded<T>(); }
+    RAIO_FN constexpr aabb<T> bounds() const { return unless_nan(unbounded<T>(), point, normal); }
 
     template <class Line>
     RAIO_FORMULA constexpr crossing<typename Line::number> crossings(const Line& line) const {
@@ -58,3 +60,5 @@ struct plane {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 
 #include <raio/shape/convex_polyhedron.hpp>
@@ -148,3 +150,5 @@ requires(Faces == 4 || Faces == 6 || Faces == 8 || Faces == 12 || Faces == 20) R
 }
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/axis.hpp>
 #include <raio/formula/quadric.hpp>
@@ -40,7 +42,9 @@ struct quadric {
         return inside_of(*this, ray);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return padded(aabb<T>{min, max}); }
+    RAIO_FN constexpr aabb<T> bounds() const {
+        return unless_nan(padded(aabb<T>{min, max}), min, max, squares, products, linear, constant);
+    }
 
     /// f at a point.
     template <class W>
@@ -150,3 +154,5 @@ template <real T>
 using open_quadric = quadric<T, false>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

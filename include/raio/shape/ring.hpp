@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/plane.hpp>
 #include <raio/math/angle.hpp>
@@ -51,7 +53,7 @@ struct ring {
 
     RAIO_FN constexpr aabb<T> bounds() const {
         vec3<T> reach = disc_reach(normal, outer_radius);
-        return padded(aabb<T>{center - reach, center + reach});
+        return unless_nan(padded(aabb<T>{center - reach, center + reach}), center, normal, inner_radius, outer_radius);
     }
 
     RAIO_FN constexpr T area() const {
@@ -88,3 +90,5 @@ struct ring {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

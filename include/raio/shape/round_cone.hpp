@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/sphere.hpp>
 
@@ -148,3 +150,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

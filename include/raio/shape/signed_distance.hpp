@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/proof/normal.hpp>
 #include <raio/shape/box.hpp>
 
@@ -63,7 +65,7 @@ struct signed_distance {
         return inside;
     }
 
-    aabb<T> bounds() const { return padded(box); }
+    aabb<T> bounds() const { return unless_nan(padded(box), box, tolerance, lipschitz); }
 
 private:
     /// Calls `visit` with every crossing, in order, and whether it enters, until that answers yes. Did it?
@@ -115,3 +117,5 @@ template <real T, class Distance>
 signed_distance(aabb<T>, T, T, Distance) -> signed_distance<T, Distance>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

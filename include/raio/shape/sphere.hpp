@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/sphere.hpp>
 #include <raio/math/angle.hpp>
@@ -34,7 +36,7 @@ struct sphere {
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
     RAIO_FN constexpr aabb<T> bounds() const {
-        return padded(aabb<T>{center - vec3<T>(radius), center + vec3<T>(radius)});
+        return unless_nan(padded(aabb<T>{center - vec3<T>(radius), center + vec3<T>(radius)}), center, radius);
     }
 
     RAIO_FN constexpr T area() const { return T(4 * pi<T>) * radius * radius; }
@@ -68,3 +70,5 @@ struct sphere {
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

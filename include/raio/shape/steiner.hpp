@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <array>
 
 #include <raio/concepts.hpp>
@@ -40,7 +42,7 @@ struct steiner {
 
     RAIO_FN constexpr aabb<T> bounds() const {
         vec3<T> half(size / T(2));
-        return padded(padded(aabb<T>{center - half, center + half}));
+        return unless_nan(padded(padded(aabb<T>{center - half, center + half})), center, size);
     }
 
     template <class Line, class Wanted = every_crossing, class W = typename Line::number>
@@ -92,3 +94,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <span>
 #include <vector>
 
@@ -155,7 +157,7 @@ struct surface_of_revolution {
 
     aabb<T> bounds() const {
         aabb<T> box;
-        if (segments() == 0) return box;
+        if (segments() == 0) return unless_nan(box, base, axis);
         for (const vec2<T>& end : profile) {
             const vec3<T> center = base + axis * end.y;
             const T rounding = (norm1(base) + norm1(axis) * abs(end.y)) * T(4 * unit_roundoff<T>);
@@ -165,7 +167,7 @@ struct surface_of_revolution {
         if constexpr (Degree > 1) {
             box = with_room_for_tips(box);
         }
-        return box;
+        return unless_nan(box, base, axis);
     }
 
     T area() const requires(Degree == 1) {
@@ -210,3 +212,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

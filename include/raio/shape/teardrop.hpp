@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
@@ -102,3 +104,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

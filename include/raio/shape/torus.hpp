@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
@@ -58,7 +60,8 @@ struct torus {
 
     RAIO_FN constexpr aabb<T> bounds() const {
         vec3<T> reach = disc_reach(axis, major_radius) + vec3<T>(minor_radius);
-        return padded(padded(aabb<T>{center - reach, center + reach}));
+        return unless_nan(padded(padded(aabb<T>{center - reach, center + reach})), center, axis, major_radius,
+                          minor_radius);
     }
 
     RAIO_FN constexpr T area() const { return T(4 * pi<T>) * minor_radius * strip(widest()); }
@@ -213,3 +216,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/concepts.hpp>
 #include <raio/formula/edges.hpp>
 #include <raio/surface_sample.hpp>
@@ -30,7 +32,7 @@ struct triangle {
         return any_hit(*this, ray, t_min, t_max);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return padded(corners()); }
+    RAIO_FN constexpr aabb<T> bounds() const { return unless_nan(padded(corners()), a, b, c); }
 
     RAIO_FN constexpr T area() const { return T(0.5) * length(cross(b - a, c - a)); }
 
@@ -58,7 +60,9 @@ struct triangle {
     }
 
 private:
-    RAIO_FN constexpr aabb<T> corners() const { return hull(hull(aabb<T>{a, a}, b), c); }
+    RAIO_FN constexpr aabb<T> corners() const { return hull_of_numbers(hull_of_numbers(aabb<T>{a, a}, b), c); }
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

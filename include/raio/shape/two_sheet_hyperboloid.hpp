@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/shape/hyperboloid.hpp>
 
 /// \file
@@ -53,7 +55,9 @@ struct two_sheet_hyperboloid {
         return inside_of(*this, ray);
     }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(end_radius)); }
+    RAIO_FN constexpr aabb<T> bounds() const {
+        return unless_nan(detail::axial_bounds(base, top, vec2<T>(end_radius)), gap);
+    }
 
     RAIO_FN T area() const requires(std::floating_point<T>) {
         const T side = largest_radius() > T(0) ? detail::hyperboloid_area(base, top, profile()) : T(0);
@@ -92,3 +96,5 @@ template <real T>
 using open_two_sheet_hyperboloid = two_sheet_hyperboloid<T, false>;
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>

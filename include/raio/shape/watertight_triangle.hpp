@@ -1,5 +1,7 @@
 #pragma once
 
+#include <raio/push_macros.hpp>
+
 #include <raio/shape/triangle.hpp>
 
 namespace raio {
@@ -98,3 +100,5 @@ private:
 };
 
 }  // namespace raio
+
+#include <raio/pop_macros.hpp>
