@@ -3,7 +3,17 @@
 NUMBERS = ("float", "double")
 PERCENTS = ("0", "50", "100")
 
-OURS = ("hit", "occluded", "hit_in_packs", "occluded_in_packs")
+OURS = ("hit", "occluded", "quick_hit", "quick_occluded", "hit_in_packs", "occluded_in_packs")
+
+# (row, shape, the textbook that finds as much as `quick_hit`, percentage of hits): the table at a glance
+GLANCE = (("488 spheres one after the other, 95 % missed", "bouncing_list", "one_weekend", "5"),
+          ("sphere", "sphere", "one_weekend", "50"),
+          ("triangle", "triangle", "moeller_trumbore_record", "50"),
+          ("plane", "plane", "glm_record", "50"),
+          ("disc", "disc", "glm_record", "50"),
+          ("box", "box", "slabs_record", "50"),
+          ("cylinder", "cylinder", "quadratic", "50"),
+          ("torus", "torus", "ferrari", "50"))
 
 # (shape, peer, the peer's number type or None for the shape's own): what `hit` shall be no slower than
 BAR = (("sphere", "one_weekend", "double"), ("sphere", "next_week", "double"), ("triangle", "glm", None),
@@ -14,7 +24,7 @@ def medians(results):
     """{(shape, call, number, percent): (nanoseconds per test, does it return a normal?)}"""
     return {tuple(entry["run_name"].split("/")): (entry["test"] * 1e9, entry["record"] > 0)
             for entry in results["benchmarks"] if entry.get("aggregate_name", "median") == "median"
-            and entry["run_name"].split("/")[3] in PERCENTS}  # others are no shapes
+            and entry["run_name"].split("/")[3].isdecimal()}  # others are no shapes
 
 
 def shown(value):
@@ -39,8 +49,24 @@ def cells(measured, shape, call, of=lambda nanoseconds, key: nanoseconds):
             yield shown(of(measured[key][0], key)) if key in measured else ""
 
 
-def markdown(results):
+def glance(results):
+    """What a reader wants to know first."""
     measured = medians(results)
+    rows = []
+    for name, shape, peer, percent in GLANCE:
+        for number in NUMBERS:
+            contenders = (peer, "quick_hit", "hit", "hit_in_packs")
+            times = [measured.get((shape, call, number, percent)) for call in contenders]
+            if times[0] is None:
+                continue
+            rows.append([name, number] + [shown(time[0]) if time else "" for time in times]
+                        + [shown(time[0] / times[0][0]) if time else "" for time in times[1:3]])
+    return table(["nanoseconds per test", "number", "textbook", "`quick`", "exact", "exact, in packs",
+                  "`quick` / textbook", "exact / textbook"], rows) + "\n"
+
+
+def markdown(results):
+    measured = {key: value for key, value in medians(results).items() if key[3] in PERCENTS}
     shapes = list(dict.fromkeys(key[0] for key in measured))
     columns = [f"{number} {percent} %" for number in NUMBERS for percent in PERCENTS]
 
@@ -74,8 +100,9 @@ def markdown(results):
             times.append([shape, name] + list(cells(measured, shape, call)))
             if call in OURS:
                 continue
-            ours = "hit" if returns_normal else "occluded"
-            ratios.append([shape, f"{ours} / `{call}`"] + list(cells(measured, shape, ours, ratio_to(call))))
+            for ours in (("hit", "quick_hit") if returns_normal else ("occluded", "quick_occluded")):
+                if ours in calls(measured, shape):
+                    ratios.append([shape, f"{ours} / `{call}`"] + list(cells(measured, shape, ours, ratio_to(call))))
     rate = [[shape, "**hit**"] + list(cells(measured, shape, "hit", lambda ns, key: 1e3 / ns)) for shape in shapes]
 
     context = results["context"]
@@ -87,7 +114,7 @@ def markdown(results):
         table(["shape", "peer"] + columns, bar("hit_in_packs")),
         "Packs of floats beside one call at a time, nanoseconds per test at 0, 50 and 100 % hits:",
         table(["shape", "`hit`", "`hit_in_packs`", "`occluded`", "`occluded_in_packs`", "peer"], in_packs()),
-        "`hit` over the peers that find a normal, `occluded` over those that do not:",
+        "`hit` and `quick_hit` over the peers that find a normal, `occluded` and `quick_occluded` over those that do not:",
         table(["shape", "ratio"] + columns, ratios),
         "Nanoseconds per test:",
         table(["shape", "call"] + columns, times),

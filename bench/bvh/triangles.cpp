@@ -4,7 +4,6 @@
 #include <span>
 
 #include "bvh/contenders.hpp"
-#include "peers/inexact_tree.hpp"
 
 // Triangles: SCENE/RAYS/CONTENDER is one measurement.
 
@@ -13,8 +12,8 @@ namespace {
 constexpr std::size_t square = bench::square_side * bench::square_side;
 constexpr std::size_t quarter = bench::quarter_side * bench::quarter_side;
 
-std::size_t hits_of_square(const bench::triangle_tree& tree, std::span<const raio::ray<float>, square> rays,
-                           float t_max) {
+template <class Tree>
+std::size_t hits_of_square(const Tree& tree, std::span<const raio::ray<float>, square> rays, float t_max) {
     std::array<raio::hit_record<float>, square> recs;
     const std::uint64_t hits = tree.hit(rays, 0, t_max, recs);
     benchmark::DoNotOptimize(std::as_const(recs));
@@ -39,11 +38,9 @@ void add(const bench::scene& scene) {
         bench::add_tree<raio::hit_record<float>>(scene.name, name, tree, rays);
     };
     add_raio("raio", standard);
-    bench::add_packets<square>(scene.name, "raio", standard, rays, hits_of_square);
+    bench::add_packets<square>(scene.name, "raio", standard, rays, hits_of_square<bench::triangle_tree>);
     add_raio("raio_high", bench::lazy_raio_tree(mesh.triangles, bvh_quality::high));
     add_raio("raio_compact", bench::lazy([of = mesh.mesh] { return bench::raio_compact_tree(*of); }));
-    const bench::lazy inexact([of = mesh.triangles] { return std::make_unique<peers::inexact_tree>(*of); });
-    bench::add_tree<peers::inexact_tree::record>(scene.name, "inexact", inexact, rays);
     struct seen {
         float t;
         raio::vec2<float> uv;
@@ -54,6 +51,7 @@ void add(const bench::scene& scene) {
     const bench::lazy quick(
         [of = mesh.mesh] { return std::make_unique<quick_tree>(*of, raio::bvh_options{.threads = 1}); });
     bench::add_tree<seen>(scene.name, "quick", quick, rays);
+    bench::add_packets<square>(scene.name, "quick", quick, rays, hits_of_square<quick_tree>);
 #ifdef RAIO_BENCH_EMBREE
     for (const char* isa : bench::embree_isas) {
         const auto add_embree = [&](const char* name, const peers::embree_options& options) {
