@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("convex_polyhedron: named cases", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("convex_polyhedron: a line that stays inside is all inside (it was nowhere)", T, RAIO_NUMBERS) {
     using planes = std::vector<half_space<T>>;
     const T inf = infinity<T>, most = std::numeric_limits<T>::max();
-    const interval<T> all{-inf, inf}, none{};
+    const interval<T> all{-inf, inf};
     const planes below{{{0, 0, 3}, 0}}, tube{{{1, 0, 0}, -1}, {{-1, 0, 0}, -1}, {{0, 1, 0}, -1}, {{0, -1, 0}, -1}};
     const auto spans = [](const planes& of, const ray<T>& ray) { return convex_polyhedron<T>{of}.spans(ray); };
     CHECK(spans(below, {{0, 0, -1}, {1, 0, 0}}) == all);
