@@ -49,8 +49,8 @@ TEST_CASE("plain: of packs, lane by lane") {
 
 TEST_CASE("plain: what is decided with it is beyond doubt, and its errors are reckoned all the same") {
     using W = plain<float>;
-    const given_number<W> third{W(1.0f / 3)}, one{W(1)};
-    const auto sum = third + third + third;
+    const given_number<W> a_third{W(1.0f / 3)}, one{W(1)};
+    const auto sum = a_third + a_third + a_third;
     const auto is_one = sum >= one;
     CHECK((is_one.certainly == is_one.yes && is_one.possibly == is_one.yes));
     const auto is_nothing = is_positive(sum - sum);
