@@ -73,7 +73,7 @@ std::string wrong_roots(const polynomial_roots<W, N>& found, std::vector<oracle>
         if (t < low || t > high) return "beyond the interval";
         std::size_t near = 0;
         for (const oracle& root : roots) near += abs(root - t) <= error;
-        if (places[i].before * places[i].after < 0 && near == 0) return "off by more than its error";
+        if (places[i].sign_before * places[i].sign_after < 0 && near == 0) return "off by more than its error";
     }
     for (const oracle& root : roots) {
         for (std::size_t i = 0; i < found.count; ++i) {
@@ -109,9 +109,9 @@ TEST_CASE_TEMPLATE("polynomial_roots: the signs to both sides of two roots", W, 
     for (const int leading : {1, -1}) {
         const auto roots = roots_between(with_roots<W, 2>(leading, {1, 3}), W(0), W(4));
         REQUIRE((roots.certain && roots.count == 2));
-        CHECK((roots.places[0].before == leading && roots.places[0].after == -leading));
-        CHECK((roots.places[1].before == -leading && roots.places[1].after == leading));
-        CHECK(roots_between(with_roots<W, 2>(leading, {1, 3}), W(2), W(4)).begin()->before == -leading);
+        CHECK((roots.places[0].sign_before == leading && roots.places[0].sign_after == -leading));
+        CHECK((roots.places[1].sign_before == -leading && roots.places[1].sign_after == leading));
+        CHECK(roots_between(with_roots<W, 2>(leading, {1, 3}), W(2), W(4)).begin()->sign_before == -leading);
         CHECK(roots_between(with_roots<W, 2>(leading, {1, 3}), W(4), W(5)).count == 0);
     }
 }
@@ -139,19 +139,20 @@ TEST_CASE_TEMPLATE("polynomial_roots: roots of higher multiplicity are places th
     const auto of_two = found_roots<W, 4>({-2, 3, 3, 5}, -10, 10);
     CHECK(of_two.count == 3);
     CHECK(!of_two.certain);
-    CHECK((of_two.places[1].before == -1 && of_two.places[1].after == -1));
-    CHECK((of_two.places[0].before == 1 && of_two.places[0].after == -1));
+    CHECK((of_two.places[1].sign_before == -1 && of_two.places[1].sign_after == -1));
+    CHECK((of_two.places[0].sign_before == 1 && of_two.places[0].sign_after == -1));
     CHECK(of_two.places[1].error < bound_t<W>(wide));
     // An extremum is as sharp as any root.
     CHECK(abs(exactly(of_two.places[1].t) - 3) < oracle(64 * unit_roundoff<W>));
 
     const auto of_three = found_roots<W, 4>({-2, 3, 3, 3}, -10, 10);
     CHECK(of_three.count == 2);
-    CHECK((of_three.places[1].before == -1 && of_three.places[1].after == 1));
+    CHECK((of_three.places[1].sign_before == -1 && of_three.places[1].sign_after == 1));
 
     const auto two_of_two = found_roots<W, 4>({-2, -2, 3, 3}, -10, 10);
     CHECK(two_of_two.count == 2);
-    CHECK((two_of_two.places[0].after == 1 && two_of_two.places[1].before == 1 && two_of_two.places[1].after == 1));
+    CHECK((two_of_two.places[0].sign_after == 1 && two_of_two.places[1].sign_before == 1 &&
+           two_of_two.places[1].sign_after == 1));
 
     CHECK(found_roots<W, 8>({3, 3, 3, 3, 3, 3, 3, 3}, -10, 10).count == 1);
     CHECK(found_roots<W, 4>({0, 0, 0, 0}, -10, 10).count == 1);
@@ -195,7 +196,7 @@ TEST_CASE_TEMPLATE("polynomial_roots: a root that is all but triple is as near a
         const auto found = roots_between(p, W(-0.5), W(0.75));
         REQUIRE((found.certain && found.count == 1));
         const polynomial_root<W>& root = found.places[0];
-        CHECK((root.before == 1 && root.after == -1));
+        CHECK((root.sign_before == 1 && root.sign_after == -1));
         CHECK(std::abs(static_cast<double>(root.t)) <= root.error);
         CHECK(root.error < 4 * std::cbrt(noise));
     }
@@ -248,7 +249,7 @@ TEST_CASE_TEMPLATE("polynomial_roots: only the first root beyond a place", W, st
     };
     const double nowhere = -infinity<double>;
     const auto is_at = [](const polynomial_root<W>& root, double t) {
-        return root.before * root.after < 0 && abs(exactly(root.t) - t) <= exactly(root.error);
+        return root.sign_before * root.sign_after < 0 && abs(exactly(root.t) - t) <= exactly(root.error);
     };
 
     const auto second = found(nowhere, -2, nowhere);

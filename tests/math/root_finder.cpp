@@ -27,7 +27,7 @@ std::vector<polynomial_root<W>> roots_found(const polynomial<W, N>& p, double lo
     const bool to_the_end = finder.find(1e-8, 1e-8, [&](const detail::enclosure<W>& about, auto approached) {
         found.push_back(approached());
         CHECK(about.is_one);
-        CHECK((about.before == found.back().before && about.after == found.back().after));
+        CHECK((about.sign_before == found.back().sign_before && about.sign_after == found.back().sign_after));
         CHECK((about.low <= found.back().t && found.back().t <= about.high));
         return found.size() < most;
     });
@@ -44,7 +44,7 @@ TEST_CASE_TEMPLATE("root_finder: one enclosure after the other", W, strict_doubl
     for (std::size_t i = 0; i < 3; ++i) {
         CHECK(abs(exactly(found[i].t) - oracle(roots[i])) <= exactly(found[i].error));
         CHECK(found[i].error < 1e-13);
-        CHECK(found[i].before == (i % 2 == 0 ? -1 : 1));
+        CHECK(found[i].sign_before == (i % 2 == 0 ? -1 : 1));
     }
     CHECK(roots_found(three_roots<W>(), -4, 4, 2).size() == 2);
     CHECK(roots_found(three_roots<W>(), 0, 1.5).size() == 1);
@@ -60,7 +60,7 @@ TEST_CASE("root_finder: wherever it looks first, it finds the root that is enclo
         const auto root = finder.approach(about, W(guess), 1e-8);
         CHECK(std::abs(static_cast<double>(root.t) - 2) <= root.error);
         CHECK(root.error < 1e-13);
-        CHECK((root.before == -1 && root.after == 1));
+        CHECK((root.sign_before == -1 && root.sign_after == 1));
     }
 }
 

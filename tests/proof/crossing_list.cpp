@@ -61,7 +61,7 @@ TEST_CASE("crossing_list: roots are crossed as the signs beside them say, and ta
                            {-1, -1, 2, false}}) {
         crossing_list<double, 4> list;
         polynomial_root<double> root{};
-        root.before = s.before, root.after = s.after;
+        root.sign_before = s.before, root.sign_after = s.after;
         list.append(5, 0.5, root);
         REQUIRE(list.count == s.count);
         CHECK((list.crossings[0].entering == s.entering && list.crossings[0].t == 5));

@@ -14,12 +14,12 @@ template <class W>
 RAIO_FN constexpr chord<W> cross_half_space(const bounded_number<W>& height, const bounded_number<W>& speed,
                                             const index_t<W>& face) {
     const bounded_number<W> t = -height * inverse(speed);
-    const auto crosses = is_positive(abs(speed));
+    const auto is_parallel = !is_positive(abs(speed));
     const mask_t<W> leaves = speed.value > W(0);
-    chord<W> c = between(crosses, t, t);
+    chord<W> c = between(!is_parallel, t, t);
     c.near.face = c.far.face = face;
     begin_never_where(leaves, c), end_never_where(!leaves, c);
-    return unless_parallel(!crosses, c, is_not_negative(-height));
+    return unless_parallel(is_parallel, c, is_not_negative(-height));
 }
 
 /// The part of a line between two planes that are parallel.
@@ -29,13 +29,13 @@ template <class W>
 RAIO_FN constexpr chord<W> cross_between(const bounded_number<W>& to_low, const bounded_number<W>& to_high,
                                          const bounded_number<W>& speed) {
     const bounded_number<W> over = inverse(speed), low = to_low * over, high = to_high * over;
-    const auto crosses = is_positive(abs(speed));
+    const auto is_parallel = !is_positive(abs(speed));
     const mask_t<W> upward = !(speed.value < W(0));
-    chord<W> c = between(crosses, choose_where(upward, low, high), choose_where(upward, high, low));
-    if (all(crosses)) return c;
+    chord<W> c = between(!is_parallel, choose_where(upward, low, high), choose_where(upward, high, low));
+    if (all(!is_parallel)) return c;
 
     // A line that is parallel to the planes is between them everywhere or nowhere.
-    return unless_parallel(!crosses, c, every(is_not_negative(-to_low), is_not_negative(to_high)));
+    return unless_parallel(is_parallel, c, every(is_not_negative(-to_low), is_not_negative(to_high)));
 }
 
 }  // namespace raio

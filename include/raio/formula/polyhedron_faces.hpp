@@ -66,7 +66,7 @@ private:
     };
 
     RAIO_FN constexpr edge_line edge(std::size_t i, std::size_t j) const {
-        exact none(0), tiny(least_angle);
+        exact zero(0), tiny(least_angle);
         const vec3<exact> a(planes[i].normal), b(planes[j].normal), direction = cross(a, b);
         exact length2 = dot(direction, direction);
         if (!(length2 > tiny * dot(a, a) * dot(b, b))) return {direction, direction, {}};  // parallel planes
@@ -81,7 +81,7 @@ private:
             exact touching = tiny * (dot(abs(n), abs(point)) + abs(exact(planes[k].offset)));
             if (!(abs(speed) > tiny * dot(abs(n), abs(direction)))) {  // or numbers out of range
                 if (height > touching) return {point, direction, {}};
-            } else if (speed > none) {
+            } else if (speed > zero) {
                 s.max = min(s.max, (touching - height) / speed);
             } else {
                 s.min = max(s.min, (touching - height) / speed);
@@ -112,15 +112,15 @@ private:
 
     /// Is all of plane i a face, without an edge: does it lie behind all others, which run parallel to it?
     RAIO_FN constexpr bool is_face_without_end(std::size_t i) const {
-        const exact none(0), tiny(least_angle);
+        const exact zero(0), tiny(least_angle);
         const vec3<exact> n(planes[i].normal);
         exact length2 = dot(n, n);
-        if (!(length2 > none)) return false;
+        if (!(length2 > zero)) return false;
         const vec3<exact> foot = n * (-exact(planes[i].offset) / length2);
         for (std::size_t k = 0; k < std::size(planes); ++k) {
             const vec3<exact> m(planes[k].normal), turn = cross(n, m);
             if (dot(turn, turn) > tiny * length2 * dot(m, m)) return false;
-            if (dot(m, foot) + exact(planes[k].offset) > none && !touches(k, foot)) return false;
+            if (dot(m, foot) + exact(planes[k].offset) > zero && !touches(k, foot)) return false;
         }
         return true;
     }

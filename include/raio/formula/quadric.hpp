@@ -60,17 +60,17 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const D& d, const L& l, const ro
     const auto discriminant = conic.discriminant;
     const auto two = given_number<W>{W(2)};
     const auto n = cross(d, axis);
-    const auto m = cross(l, d);
+    const auto moment = cross(l, d);
     const auto n2 = square(n);
-    const auto mn = dot(m, n);
-    const auto m2 = square(m);
+    const auto mn = dot(moment, n);
+    const auto m2 = square(moment);
     const auto d2 = square(d);
     const auto axis2 = square(axis);
     const auto k = c2 * inverse(axis2);
     const auto stretched = [&](const auto& x) { return x + k * x; };  // (1 + k) x
     const auto g = dot(d, axis);
     const auto a = stretched(n2) - c2 * d2;
-    const auto beside = two * c1 * mn + c2 * m2 - stretched(square(dot(m, axis)));
+    const auto beside = two * c1 * mn + c2 * m2 - stretched(square(dot(moment, axis)));
     const auto b2_less_ac = [&] {
         if constexpr (std::same_as<std::remove_cvref_t<decltype(c1)>, zero_number<W>>) {
             return axis2 * (c0 * a + beside);

@@ -66,7 +66,7 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
     crossing_list<W, 12> list;
     list.depends_on(roots);
     for (const polynomial_root<W>& root : roots) {
-        if (root.before == 0 && root.after == 0) continue;  // the line lies in the surface
+        if (root.sign_before == 0 && root.sign_after == 0) continue;  // the line lies in the surface
         const auto s = root.place();
         const auto insert = [&](const bounded_number<W>& x) {
             const vec3<W> outward = outward_normal(curve, s.value, part.from + part.along * x.value);

@@ -40,7 +40,7 @@ template <real W>
 RAIO_FN constexpr polynomial_root<W> somewhere_in(const enclosure<W>& about) {
     using E = bound_t<W>;
     W middle = about.low + (about.high - about.low) * W(0.5);
-    return {middle, farthest_from(middle, about.low, about.high), about.before, about.after, E(infinity<E>)};
+    return {middle, farthest_from(middle, about.low, about.high), about.sign_before, about.sign_after, E(infinity<E>)};
 }
 
 }  // namespace detail
@@ -145,14 +145,14 @@ RAIO_FN constexpr stretches<W, N> stretches_below_zero(const polynomial<W, N>& p
     stretches<W, N> found;
     found.certain = roots.certain;
     // Out of range there is none.
-    const bool begins_below = roots.count == 0 ? p(low) <= W(0) : roots.begin()->before <= 0;
+    const bool begins_below = roots.count == 0 ? p(low) <= W(0) : roots.begin()->sign_before <= 0;
     bool within = begins_below && is_finite(p.noise()(max(E(abs(low)), E(abs(high)))));
     const auto add = [&](const bounded_number<W>& from, const bounded_number<W>& to) {
         found.places[found.count++] = {from, to};
     };
     bounded_number<W> from(low, E(0));
     for (const polynomial_root<W>& root : roots) {
-        const bool goes_on = root.after <= 0;
+        const bool goes_on = root.sign_after <= 0;
         if (!within) from = {max(low, root.t - W(root.error)), E(2) * root.error};
         if (!goes_on) add(from, {min(high, root.t + W(root.error)), E(2) * root.error});
         within = goes_on;

@@ -22,17 +22,17 @@ namespace raio {
 template <real W>
 struct polynomial_root {
     W t;
-    bound_t<W> error;   ///< bound of |t - root|, for every root that is meant
-    int before, after;  ///< the signs of the polynomial to both sides; 0 beyond an end of the interval
+    bound_t<W> error;             ///< bound of |t - root|, for every root that is meant
+    int sign_before, sign_after;  ///< of the polynomial to both sides; 0 beyond an end of the interval
     bound_t<W> height;  ///< of another one's turn: bound of this one's magnitude from t to each root that is meant
 
     RAIO_FN constexpr bounded_number<W> place() const { return {t, error}; }
     /// Does the polynomial change its sign there?
-    RAIO_FN constexpr bool is_simple() const { return before * after < 0; }
+    RAIO_FN constexpr bool is_simple() const { return sign_before * sign_after < 0; }
     /// Is the polynomial zero there without changing its sign?
-    RAIO_FN constexpr bool is_touched() const { return before * after > 0; }
+    RAIO_FN constexpr bool is_touched() const { return sign_before * sign_after > 0; }
     /// The same root of -p.
-    RAIO_FN constexpr polynomial_root operator-() const { return {t, error, -before, -after, height}; }
+    RAIO_FN constexpr polynomial_root operator-() const { return {t, error, -sign_before, -sign_after, height}; }
 };
 
 /// A place that is as good as a root, whatever the signs are.
@@ -47,8 +47,8 @@ namespace detail {
 template <real W>
 struct enclosure {
     W low, high;
-    int before, after;  ///< the signs of the polynomial there
-    bool is_one;        ///< is there one simple root for certain?
+    int sign_before, sign_after;  ///< of the polynomial there
+    bool is_one;                  ///< is there one simple root for certain?
 };
 
 /// How far t is from the farther of the ends that it lies between, rounded up (the distance takes three roundings): a
@@ -108,7 +108,8 @@ public:
             if (solve(two)) {
                 for (std::size_t i = 0; i < two.count; ++i) {
                     const polynomial_root<W>& root = two.places[i];
-                    if (!take({root.t, root.t, root.before, root.after, true}, [&] { return root; })) return false;
+                    if (!take({root.t, root.t, root.sign_before, root.sign_after, true}, [&] { return root; }))
+                        return false;
                 }
                 return true;
             }
@@ -157,7 +158,8 @@ public:
     /// The one root that is enclosed there.
     /// \param guess  where to look first
     RAIO_FN constexpr polynomial_root<W> approach(const enclosure<W>& about, const W& guess, const E& tolerance) const {
-        return enclosed({about.low, E(0), about.before, E(0)}, {about.high, E(0), about.after, E(0)}, guess, tolerance);
+        return enclosed({about.low, E(0), about.sign_before, E(0)}, {about.high, E(0), about.sign_after, E(0)}, guess,
+                        tolerance);
     }
 
 private:

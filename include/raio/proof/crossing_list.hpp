@@ -62,9 +62,9 @@ struct crossing_list {
     /// Takes over a root of a polynomial along the line that is positive outside. An extremum that cannot be told from
     /// zero is a tangent: the line crosses twice there.
     RAIO_FN constexpr void append(const W& t, const bound_t<W>& error, const polynomial_root<W>& root) {
-        const bool entering = root.before > 0 || (root.before == 0 && root.after < 0);
+        const bool entering = root.sign_before > 0 || (root.sign_before == 0 && root.sign_after < 0);
         append(t, error, entering);
-        if (root.before * root.after > 0) append(t, error, !entering);
+        if (root.sign_before * root.sign_after > 0) append(t, error, !entering);
     }
 
     RAIO_FN constexpr void append(const bounded_number<W>& t, bool entering) {
@@ -92,7 +92,7 @@ struct crossing_list {
                                   const polynomial_root<W>& root, const W& u, const W& v) {
         depends_on(exists);
         if (!(has_closer_look<W> ? exists.possibly : exists.yes)) return;
-        const bool entering = root.before > 0 || (root.before == 0 && root.after < 0);
+        const bool entering = root.sign_before > 0 || (root.sign_before == 0 && root.sign_after < 0);
         const auto put = [&](crossing<W>& c, bool enters) {  // in its place: GCC would copy it from elsewhere
             c.exists = c.certain = true, c.t = t.value, c.error = detail::rounded_up<W>(t.error), c.entering = enters;
             c.u = u, c.v = v;

@@ -30,7 +30,7 @@ RAIO_FN constexpr roots_along<W, N> find_roots(const polynomial<W, N>& f, const 
     wanted.before = -infinity<E>;
     roots_along<W, N> found{roots_between(f, low, high, wanted), false};
     if (!is_finite(f.noise()(E(1)))) return found;
-    found.begins_inside = found.roots.count == 0 ? f(low) <= W(0) : found.roots.begin()->before <= 0;
+    found.begins_inside = found.roots.count == 0 ? f(low) <= W(0) : found.roots.begin()->sign_before <= 0;
     return found;
 }
 
@@ -85,7 +85,7 @@ RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W,
     bool within = begins_inside;
     for (const polynomial_root<W>& root : roots) {
         // Where f is zero to the end of the range, that counts as inside.
-        const bool touches = root.before * root.after > 0, goes_on = root.after <= 0;
+        const bool touches = root.sign_before * root.sign_after > 0, goes_on = root.sign_after <= 0;
         if (!within) inside.near = part.at(root, true);
         if (!goes_on || (within && touches)) {
             inside.far = part.at(root, false);
@@ -112,8 +112,8 @@ RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N
     crossings_of_degree<W, N> list;
     list.certain = roots.certain && clip.near.certain;
     for (const polynomial_root<W>& root : roots) {
-        if (root.before * root.after == 0 || !belongs(root)) continue;
-        crossing<W> c = part.at(root, root.before > 0);
+        if (root.sign_before * root.sign_after == 0 || !belongs(root)) continue;
+        crossing<W> c = part.at(root, root.sign_before > 0);
         E before(c.t - clip.near.t), before_error = c.error + clip.near.error;
         E after(clip.far.t - c.t), after_error = c.error + clip.far.error;
         if (before < -before_error || after < -after_error) continue;
@@ -146,18 +146,18 @@ struct piecewise_walk {
         list.certain = list.certain && roots.certain;
         if (roots.count == 0) return reach(begins_inside ? -1 : 1);
         for (const polynomial_root<W>& root : roots) {
-            if (root.before != 0) reach(root.before);
+            if (root.sign_before != 0) reach(root.sign_before);
             // (About a tangent a piece that is shorter than the root of the noise, which is below 2^-16, is zero to
             // both ends as well.)
-            W first = root.before == 0 ? low : max(low, root.t - W(root.error));
-            W last = root.after == 0 ? high : min(high, root.t + W(root.error));
-            if (root.before * root.after == 0 && bound_t<W>(last - first) > bound_t<W>(0x1p-16)) {
+            W first = root.sign_before == 0 ? low : max(low, root.t - W(root.error));
+            W last = root.sign_after == 0 ? high : min(high, root.t + W(root.error));
+            if (root.sign_before * root.sign_after == 0 && bound_t<W>(last - first) > bound_t<W>(0x1p-16)) {
                 meet({first, bound_t<W>(0), 0, 0, root.height});
                 end = {last, bound_t<W>(0), 0, 0, root.height}, is_along = true;
             } else {
                 meet(root);
             }
-            if (root.after != 0) reach(root.after);
+            if (root.sign_after != 0) reach(root.sign_after);
         }
     }
 

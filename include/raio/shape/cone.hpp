@@ -37,8 +37,8 @@ RAIO_FN constexpr auto cross_endless_cone(const vec3<T>& base, const vec3<T>& ap
     const auto r = line.given(radius);
     const auto d = line.direction();
     const auto axis = line.between(apex, base);
-    const zero_number<typename Line::number> none;
-    const turned_conic nappes{none, none, r * r, none};  // c0, c1, c2 and c1^2 - c0 c2
+    const zero_number<typename Line::number> zero;
+    const turned_conic nappes{zero, zero, r * r, zero};  // c0, c1, c2 and c1^2 - c0 c2
     return one_nappe(cross_quadric(d, line.to(apex), axis, nappes, r), dot(d, axis));
 }
 

@@ -36,22 +36,23 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
     const auto d = line.direction();
     const auto r = line.given(radius);
     const auto n = cross(d, axis);
-    const auto m = cross(l, axis);
+    const auto beside = cross(l, axis);
     const auto a = square(n);
     const auto ar2 = a * (r * r);
     const auto passed2 = square(dot(l, n));
     const auto crosses = every(is_positive(r), is_positive(ar2), ar2 >= passed2);
-    const auto is_slanted = is_positive(a);  // not parallel to the axis
-    if (all(every(is_slanted, !crosses))) return nowhere<W>();
+    const auto is_parallel = !is_positive(a);  // to the axis
+    if (all(every(!is_parallel, !crosses))) return nowhere<W>();
 
+    // The squares of the radius and of the distance of the point where t = 0 from the axis, both times A.A.
     const auto axis2 = square(axis);
     const auto inner2 = axis2 * (r * r);
-    const auto beside2 = square(m);
-    const auto [enters, leaves] = quadratic_roots(a, dot(m, n), beside2 - inner2, sqrt(axis2 * (ar2 - passed2)));
-    if (all(is_slanted)) return between(crosses, enters, leaves);
+    const auto beside2 = square(beside);
+    const auto [enters, leaves] = quadratic_roots(a, dot(beside, n), beside2 - inner2, sqrt(axis2 * (ar2 - passed2)));
+    if (all(!is_parallel)) return between(crosses, enters, leaves);
 
     const auto is_inside = every(is_positive(r), is_positive(inner2), beside2 <= inner2);
-    return unless_parallel(!is_slanted, between(crosses, enters, leaves), is_inside);
+    return unless_parallel(is_parallel, between(crosses, enters, leaves), is_inside);
 }
 
 }  // namespace detail

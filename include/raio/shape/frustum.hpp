@@ -44,8 +44,8 @@ RAIO_FN constexpr auto cross_nappe(const Line& line, const L& l, const A& axis, 
     auto r = line.given(lesser);
     auto widening = line.between(lesser, greater);
     auto d = line.direction();
-    zero_number<W> none;
-    turned_conic side{r * r, r * widening, widening * widening, none};
+    zero_number<W> zero;
+    turned_conic side{r * r, r * widening, widening * widening, zero};
     chord<W> c = one_nappe(cross_quadric(d, l, axis, side, line.given(greater)), dot(d, axis));
     const mask_t<W> sound = every(lesser >= T(0), greater >= T(0));
     c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);

@@ -140,24 +140,24 @@ private:
         if (size() == 0 || !(min.x < max.x && min.y < max.y && t_min <= t_max)) return;
         const bool along_x = abs(ray.direction.x) >= abs(ray.direction.y);
         const glm::length_t a = along_x ? 0 : 1, b = along_x ? 1 : 0;
-        const W a_from(ray.origin[a]), a_speed(ray.direction[a]), none(0), slack(8 * unit_roundoff<W>);
+        const W a_from(ray.origin[a]), a_speed(ray.direction[a]), zero(0), slack(8 * unit_roundoff<W>);
         const W earliest = detail::widened<W>(t_min, -1);
         W latest = detail::widened<W>(t_max, 1);
 
         // Between which coordinates the ray may be from one t to another.
         const auto reach = [&](glm::length_t axis, const W& from, const W& to) {
             const W origin(ray.origin[axis]), speed(ray.direction[axis]);
-            if (speed == none) return interval<W>{origin, origin};
+            if (speed == zero) return interval<W>{origin, origin};
             const W one = speed * from, other = speed * to,
                     around = slack * (abs(origin) + raio::max(abs(one), abs(other)));
             return interval<W>{origin + raio::min(one, other) - around, origin + raio::max(one, other) + around};
         };
         // How far the t of a line of the grid may be off, and that of a crossing on it.
         const W farthest = abs(a_from) + raio::max(abs(W(min[a])), abs(W(max[a])));
-        const W off = quotient(slack * farthest, abs(a_speed), none);
+        const W off = quotient(slack * farthest, abs(a_speed), zero);
 
         // The strip to begin with; backwards, the last of those that end where it begins.
-        const bool backwards = a_speed < none;
+        const bool backwards = a_speed < zero;
         const std::uint32_t strips = cells(a);
         const interval<W> start = reach(a, earliest, earliest);
         std::uint32_t strip = backwards ? std::min(first_cell(a, start.max) + 1, strips - 1) : first_cell(a, start.min);
@@ -165,7 +165,7 @@ private:
              --left, strip += backwards ? -1u : 1u) {
             const W low(line(a, strip)), high(line(a, strip + 1));
             W from = earliest, to = latest;
-            if (a_speed == none) {
+            if (a_speed == zero) {
                 if (a_from < low) return;
                 if (a_from > high) continue;
             } else {

@@ -34,8 +34,8 @@ RAIO_FN constexpr auto one_sheet(const T& waist, const T& end) {
     const auto w = numbers::given(waist);
     const auto c0 = w * w;
     const auto c2 = numbers::given(T(4)) * (numbers::between(waist, end) * numbers::between(-waist, end));
-    const zero_number<W> none;
-    return turned_conic{c0, none, c2, -(c0 * c2)};
+    const zero_number<W> zero;
+    return turned_conic{c0, zero, c2, -(c0 * c2)};
 }
 
 /// The crossings with a hyperboloid about the middle between two planes: of one that is closed by caps (a line that is

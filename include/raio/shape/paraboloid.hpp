@@ -26,9 +26,9 @@ RAIO_FN constexpr auto cross_endless_paraboloid(const vec3<T>& vertex, const vec
                                                 const Line& line) {
     const auto r = line.given(radius);
     const auto c1 = line.given(T(0.5)) * (r * r);
-    const zero_number<typename Line::number> none;
+    const zero_number<typename Line::number> zero;
     return cross_quadric(line.direction(), line.to(vertex), line.between(vertex, top),
-                         turned_conic{none, c1, none, c1 * c1}, r)
+                         turned_conic{zero, c1, zero, c1 * c1}, r)
         .ends;
 }
 

@@ -139,8 +139,8 @@ private:
         auto axis2 = square(axis);
         auto apart = axis2 - w * w;
         auto scale = axis2 * inverse(apart);
-        zero_number<typename Line::number> none;
-        turned_conic cone{scale * (r * r), scale * (r * w), scale * (w * w), none};
+        zero_number<typename Line::number> zero;
+        turned_conic cone{scale * (r * r), scale * (r * w), scale * (w * w), zero};
         auto c = detail::one_nappe(cross_quadric(d, l, axis, cone, greater), dot(d, axis));
         auto to_base = dot(axis, l) - w * r;
         auto to_top = dot(axis, line.to(s.top)) - w * greater;

@@ -54,7 +54,7 @@ struct steiner {
         // Where f only touches zero from above, that may be an axis beyond the cube.
         const auto half = line.given(W(size) * W(0.5));
         const auto belongs = [&](const polynomial_root<W>& root) {
-            if (root.before < 0 || root.after < 0) return true;
+            if (root.sign_before < 0 || root.sign_after < 0) return true;
             const auto is_within = [&](glm::length_t axis) {
                 return abs(part.coordinate_where_touched(root, axis)) <= half;
             };

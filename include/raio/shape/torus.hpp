@@ -90,7 +90,7 @@ struct torus {
     template <class Line, class Wanted = every_crossing, class W = typename Line::number>
     RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const Line& line, const Wanted& wanted = {}) const {
         const auto d = line.direction();
-        const auto a = line.given(axis);
+        const auto given_axis = line.given(axis);
         const auto l = line.to(center);
         const auto moment = cross(l, d);
         const auto major = line.given(major_radius);
@@ -105,28 +105,28 @@ struct torus {
 
         // t = middle + x half: |x| <= 1 in the sphere. In lengths of its radius, p(x) = q + x e.
         const auto over_d2 = inverse(d2);
-        const auto unit = inverse(size);
+        const auto over_size = inverse(size);
         const auto middle = dot(l, d) * over_d2;
         const auto half = as_given(sqrt(reach2 - passed2) * over_d2);
-        const auto q = cross(moment, d) * (over_d2 * unit);
-        const auto e = d * (half * unit);
-        const auto a2 = square(a);
-        const auto exists = every(is_positive(major), is_positive(tube), is_positive(a2), is_positive(half));
+        const auto q = cross(moment, d) * (over_d2 * over_size);
+        const auto e = d * (half * over_size);
+        const auto axis2 = square(given_axis);
+        const auto exists = every(is_positive(major), is_positive(tube), is_positive(axis2), is_positive(half));
         if (!list.holds(every(exists, is_located(q, line.given(W(1)))))) return list;
 
         const auto two = line.given(W(2));
-        const auto none = line.given(W(0));
-        const auto major2 = square(major * unit);
-        const auto tube2 = square(tube * unit);
+        const auto zero = line.given(W(0));
+        const auto major2 = square(major * over_size);
+        const auto tube2 = square(tube * over_size);
         const auto four_major2 = two * two * major2;
-        const auto b = a * (two * major * unit * inverse(sqrt(a2)));
+        const auto scaled_axis = given_axis * (two * major * over_size * inverse(sqrt(axis2)));
         const auto q2 = square(q);
         const auto e2 = square(e);
-        const auto qb = dot(q, b);
-        const auto eb = dot(e, b);
+        const auto qb = dot(q, scaled_axis);
+        const auto eb = dot(e, scaled_axis);
         const auto g = q2 + (major2 - tube2);
         const auto f = polynomial_of(square(g) + (square(qb) - four_major2 * q2), two * (qb * eb),
-                                     two * e2 * g + (square(eb) - four_major2 * e2), none, square(e2));
+                                     two * e2 * g + (square(eb) - four_major2 * e2), zero, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
         list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
@@ -139,7 +139,7 @@ struct torus {
                           append_outer(g + e2 * square(x), root, t, list);
                       }
                   });
-        start_on_surface(list, [&] { return is_on_surface(l * unit, major2, tube2); });
+        start_on_surface(list, [&] { return is_on_surface(l * over_size, major2, tube2); });
         return list;
     }
 
@@ -184,10 +184,10 @@ private:
         const auto x = root.place();
         const auto zero = shape_numbers<W>::given(W(0));
         const bool is_outer = list.holds(outer >= zero), on_axis = any(every(outer >= zero, outer <= zero));
-        const bool entering = root.before > 0, to_other = root.is_touched() && !entering;
+        const bool entering = root.sign_before > 0, into_other_circle = root.is_touched() && !entering;
         const auto append = [&](bool enters) {
             const bool inside = list.count > 0 && list.crossings[list.count - 1].entering;
-            const bool leaves = inside && (to_other || any(x >= zero));
+            const bool leaves = inside && (into_other_circle || any(x >= zero));
             if (on_axis ? (enters ? !inside : leaves) : is_outer) list.append(t, enters);
         };
         append(entering);

@@ -26,8 +26,8 @@ RAIO_FN constexpr auto two_sheets(const T& gap, const T& end) {
         square(numbers::given(end)) * inverse(numbers::between(gap, T(1)) * numbers::between(-gap, T(1)));
     const auto c0 = -(g2 * scale);
     const auto c2 = numbers::given(T(4)) * scale;
-    const zero_number<W> none;
-    return turned_conic{c0, none, c2, -(c0 * c2)};
+    const zero_number<W> zero;
+    return turned_conic{c0, zero, c2, -(c0 * c2)};
 }
 
 }  // namespace detail
