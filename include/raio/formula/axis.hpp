@@ -58,7 +58,7 @@ RAIO_FN constexpr chord<W> with_round_ends(const chord<W>& c, const Sphere& low,
 
 /// What all of them record of a point: the normal and uv of the face that was hit.
 /// \param radii          of the two caps
-/// \param bend           the smallest radius at which the side curves, as for `record_point`
+/// \param bend           a bound of the radius at which the side bends, as for `record_point`
 /// \param side_gradient  says what is normal to the side, outwards and of any length. It is told where the point is: as
 ///                       seen from the axis, and at which height, 0 at the base and 1 at the top
 template <class Point, real T, class SideGradient>

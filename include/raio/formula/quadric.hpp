@@ -14,24 +14,24 @@
 ///
 ///     rho^2 = c0 + 2 c1 h + c2 h^2
 ///
-/// A line is seen from where it is nearest to B. With l = B - origin and m = l x d that is at t = l.d / d.d, and the
-/// point there is F = B + m x d / d.d. So far beyond it, at x, a point of the line is p - B = x d + (F - B), and with
-/// n = d x A, g = d.A and w = (F - B).A = m.n / d.d
+/// A line is seen from its point F that is nearest to B. With the ray's direction d, l from its origin to B and the
+/// line's moment m = l x d, that is at t = l.d / d.d, and F = B + (m x d) / d.d. At t = l.d / d.d + tau a point of the
+/// line is p - B = tau d + (F - B), and with n = d x A, g = d.A and w = (F - B).A = m.n / d.d
 ///
-///     A.A rho^2 = |(p - B) x A|^2 = x^2 n.n - 2 x g w + A.A m.m / d.d - w^2,   A.A h = x g + w
+///     A.A rho^2 = |(p - B) x A|^2 = tau^2 n.n - 2 tau g w + A.A m.m / d.d - w^2,   A.A h = tau g + w
 ///
 /// So the surface is crossed where
 ///
-///     a x^2 - 2 b x + c = 0,   k = c2 / A.A
+///     a tau^2 - 2 b tau + c = 0,   k = c2 / A.A
 ///     a = n.n - k g^2 = (1 + k) n.n - c2 d.d
 ///     b = g ((1 + k) w + c1),   c = A.A (m.m / d.d - c0) - w ((1 + k) w + 2 c1)
 ///     b^2 - a c = A.A (c0 n.n + 2 c1 m.n + c2 m.m - (1 + k) (m.A)^2) + (c1^2 - c0 c2) g^2
 ///
 /// In the last line all that cancels is taken out of b^2 - a c. (If c1 is zero, -c0 c2 g^2 and c0 n.n A.A are c0 a
 /// A.A.) |m| is |d| times the distance at which the line passes B: small and far shapes keep their digits. Where a is
-/// zero, the line is parallel to a generator of the cone that the surface comes close to far away, or to the axis of a
-/// paraboloid, and crosses once. Where a is below zero, it is steeper than those, and inside before and after its two
-/// crossings, or everywhere.
+/// zero, the line is parallel to a generator (a straight line through the apex) of the cone that the surface comes
+/// close to far away, or to the axis of a paraboloid, and crosses once. Where a is below zero, it is steeper than
+/// those, and inside before and after its two crossings, or everywhere.
 
 namespace raio {
 
@@ -89,7 +89,7 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const D& d, const L& l, const ro
     const mask_t<W> on_axis = !is_positive(-discriminant).yes;
     const auto sound = every(is_positive(radius), is_positive(axis2), is_positive(d2));
     hollow_chord<W> chord = where_below_zero(a, g * tilt, b2_less_ac, sound, on_axis, constant, extent);
-    move_on(chord, dot(l, d) * over_d2, [&] {
+    move_on(chord, dot(l, d) * over_d2, [&] {  // t = l.d / d.d + tau; the quadric at t = 0
         const auto height = dot(l, axis);
         return square(cross(l, axis)) - k * square(height) + two * c1 * height - c0 * axis2;
     });

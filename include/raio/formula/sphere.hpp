@@ -8,14 +8,16 @@
 /// \file
 /// Where a line meets a sphere.
 ///
-/// With l from the point where t = 0 to the centre, the point at t lies on the sphere where |t d - l|^2 = radius^2:
+/// With the ray's direction d and l from its origin to the centre, the point at t lies on the sphere where
+/// |t d - l|^2 = radius^2:
 ///
 ///     a t^2 - 2 b t + c = 0,   a = d.d,   b = l.d,   c = l.l - radius^2
 ///     t = (b -+ s) / a,        s^2 = b^2 - a c = a radius^2 - |l x d|^2
 ///
 /// b / a is the closest approach to the centre, s / a half a chord, and |l x d| / |d| the distance at which the line
 /// passes the centre. Written with that distance, s^2 is no difference of large squares, which is what loses small and
-/// far spheres (Haines, Guenther and Akenine-Moeller, Ray Tracing Gems, ch. 7, 2019).
+/// far spheres (Haines, Guenther and Akenine-Moeller, Ray Tracing Gems, ch. 7, 2019). `cross_sphere` finds it like
+/// this; `look_at_sphere`, which is asked first, and `quick` shapes take b^2 - a c, which costs less.
 
 namespace raio {
 

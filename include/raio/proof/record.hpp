@@ -98,7 +98,8 @@ public:
     }
 
     /// Records t, the point, how far that may be off, and the side.
-    /// \param bend  the smallest radius at which the surface curves; 0 if it is flat
+    /// \param bend  a bound of the radius at which the surface bends, where it does: the greater, the farther from it
+    ///              spawned rays start; 0 if it is flat
     RAIO_FN constexpr void record_point(T bend = T(0)) {
         const auto& [origin, direction] = unmapped(ray_);
         rec_.point = vec3<T>(sum_as<W>(origin, product_as<W>(direction, crossing_.t)));

@@ -11,8 +11,8 @@ namespace raio {
 /// from where it enters the first of the cylinder and the two spheres to where it leaves the last of them; where base
 /// and top are one, that is a sphere.
 ///
-/// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v the height, 0 at the lower pole and 1
-/// at the upper one.
+/// uv: u is the angle about the axis in turns, from the x axis of `frame_about(top - base)`; v the height, 0 at the
+/// lower pole and 1 at the upper one.
 template <real T>
 struct capsule {
     using number = T;

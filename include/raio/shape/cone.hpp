@@ -5,27 +5,31 @@
 #include <raio/shape/frustum.hpp>
 
 /// \file
-/// The cone: with its base it is a solid, without it a funnel. The apex belongs to it; its normal is the axis.
+/// The cone: with its base it is a solid, without it a funnel. The apex belongs to it; its normal is the axis, away
+/// from the base, less what would face away from the ray (proof/normal.hpp).
 ///
 /// With the axis A from the apex down to the base, a point p of the cone, as seen from the apex, is at the height h =
 /// p.A / A.A, 0 at the apex and 1 at the base, and at the distance rho = radius h from the axis: rho^2 = radius^2 h^2.
-/// This is a quadric of revolution about the apex with c0 = c1 = 0 and c2 = radius^2 (see formula/quadric.hpp), so that
-/// with l = apex - origin and m = l x d
+/// This is a quadric of revolution about the apex with c0 = c1 = 0 and c2 = radius^2. So formula/quadric.hpp says where
+/// the line crosses it, by tau, which is t counted from where the line is nearest to the apex. With the ray's direction
+/// d, l from its origin to the apex, the moment m = l x d and k = radius^2 / A.A,
 ///
-///     a x^2 - 2 b x + c = 0,   k = radius^2 / A.A
+///     a tau^2 - 2 b tau + c = 0
 ///     b^2 - a c = A.A (radius^2 m.m - (1 + k) (m.A)^2) = radius^2 |m x A|^2 - A.A (m.A)^2
 ///
-/// That has a meaning: m is the normal of the plane through the apex and the line. The line meets the cone if this
-/// plane does elsewhere than at the apex: if |m.A| / |m x A|, the tangent of the plane's angle with the axis, is no
-/// more than radius / |A|, that of a generator's.
+/// The code has the first of these two; the last one has a meaning. m is the normal of the plane through the apex and
+/// the line, and |m.A| / |m x A| the tangent of that plane's angle with the axis. The line meets the double cone if and
+/// only if the plane has more of it than the apex: if that tangent is no more than radius / |A|, that of a generator's
+/// angle. (The generators are the straight lines on the cone, through the apex.)
 ///
-/// h^2 has forgotten the sign of h: there is a second nappe beyond the apex, and the plane of the apex cuts it off. A
-/// line that is steeper than the generators crosses both, each once, and is inside of ours from its crossing on, down
-/// the axis. One that is less steep crosses the same nappe twice. One that is parallel to a generator crosses once.
+/// h^2 has forgotten the sign of h: there is a second nappe, the half of the double cone beyond the apex. `one_nappe`
+/// drops it. A line that is steeper than the generators crosses both nappes, each once, and is inside of ours from its
+/// crossing on, down the axis. One that is less steep crosses the same nappe twice, or none. One that is parallel to a
+/// generator crosses once.
 ///
 /// What it records is what a frustum does whose upper radius is 0. Faces are counted side, base. uv of the side: u is
-/// the angle about the axis, from the x axis of `frame_about(axis)`; v the height, 0 at the base and 1 at the apex. uv
-/// of the base: the same u, and v the distance from the axis over the radius.
+/// the angle about the axis in turns, from the x axis of `frame_about(apex - base)`; v = 1 - h, 0 at the base and 1 at
+/// the apex. uv of the base: the same u, and v the distance from the axis over the radius.
 
 namespace raio {
 
@@ -44,8 +48,8 @@ RAIO_FN constexpr auto cross_endless_cone(const vec3<T>& base, const vec3<T>& ap
 
 }  // namespace detail
 
-/// The points between a disc and an apex over its centre: a solid; or, if it is not `Closed`, only the side, up to its
-/// rim, which belongs to it, seen from both sides.
+/// The points between a disc and an apex over its centre: a solid; or, if it is not `Closed`, only the side, rim
+/// included, which is hit from both sides.
 template <real T, bool Closed = true>
 struct cone {
     using number = T;
@@ -69,19 +73,23 @@ struct cone {
 
     RAIO_FN constexpr T area() const { return as_frustum().area(); }
 
-    /// u.x turns about the axis, u.y is the area between the base and the point. With its base, u.x chooses between the
-    /// side and that first, and what is left of it is the angle.
+    /// u.x turns about the axis, u.y is the area between the base and the point. If it is closed, u.x first chooses
+    /// side or base, and what is left of it is the angle.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const
         requires(!Closed || std::same_as<mask_t<T>, bool>) {
         return as_frustum().sample(u);
     }
 
+    /// Where the ray's line enters and where it leaves. Numbers carry bounds of their errors (proof/line.hpp), and
+    /// whether a comparison of them holds may be in doubt: `every` and `some` combine such verdicts, `all` asks whether
+    /// one holds beyond doubt, `any` whether it may hold (number/verdict.hpp).
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         auto endless = detail::cross_endless_cone(base, apex, radius, line);
         if (missed(endless)) return endless;
+        // Of a solid the part of the chord between the planes of base and apex; of a side alone those ends that are.
         auto c = cut<Closed>(endless, detail::cross_cap_planes(base, apex, line));
-        keep_if_in_range<T>(line, c);
+        keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
 

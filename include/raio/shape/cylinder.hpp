@@ -10,17 +10,23 @@
 /// \file
 /// The cylinder: with its caps it is a solid, without them a tube.
 ///
-/// With the axis A = top - base and l = base - origin, the distance of the point at t from the axis is |(t d - l) x A|
-/// / |A|. It is the radius at
+/// With the axis A = top - base, the ray's direction d and l from its origin to the base, the distance of the point at
+/// t from the axis is
 ///
-///     t = (b -+ s) / a,   n = d x A,  a = n.n,  b = (l x A).n,   s^2 = A.A (a radius^2 - (l.n)^2)
+///     |(t d - l) x A| / |A|
 ///
-/// |l.n| / |n| is the distance at which the line passes the axis: like the sphere's, the discriminant is free of
-/// differences of large squares. A line parallel to the axis, n = 0, is inside everywhere or nowhere.
+/// It is the radius where
 ///
-/// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
-/// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
-/// the axis over the radius.
+///     a t^2 - 2 b t + c = 0,   n = d x A,   beside = l x A
+///     a = n.n,   b = beside.n,   c = beside.beside - A.A radius^2
+///     t = (b -+ s) / a,   s^2 = b^2 - a c = A.A (a radius^2 - (l.n)^2)
+///
+/// |l.n| / |n| is the distance at which the line passes the axis: as the sphere's, the last form of s^2 is no
+/// difference of large squares. A line parallel to the axis, n = 0, is inside everywhere or nowhere.
+///
+/// Faces are counted side, base, top. uv of the side: u is the angle about the axis in turns, from the x axis of
+/// `frame_about(top - base)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance
+/// from the axis over the radius.
 
 namespace raio {
 
@@ -39,7 +45,7 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
     const auto beside = cross(l, axis);
     const auto a = square(n);
     const auto ar2 = a * (r * r);
-    const auto passed2 = square(dot(l, n));
+    const auto passed2 = square(dot(l, n));  // of the line from the axis, times n.n
     const auto crosses = every(is_positive(r), is_positive(ar2), ar2 >= passed2);
     const auto is_parallel = !is_positive(a);  // to the axis
     if (all(every(!is_parallel, !crosses))) return nowhere<W>();
@@ -58,7 +64,7 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
 }  // namespace detail
 
 /// The points at most `radius` from the axis between base and top: a solid; or, if it is not `Closed`, only the side, a
-/// tube up to its rims, which belong to it, seen from both sides.
+/// tube, rims included, which is hit from both sides.
 template <real T, bool Closed = true>
 struct cylinder {
     using number = T;
@@ -113,12 +119,16 @@ struct cylinder {
         return on_top ? surface_sample<T>{top + from_axis, f.z} : surface_sample<T>{base + from_axis, -f.z};
     }
 
+    /// Where the ray's line enters and where it leaves. Numbers carry bounds of their errors (proof/line.hpp), and
+    /// whether a comparison of them holds may be in doubt: `every` and `some` combine such verdicts, `all` asks whether
+    /// one holds beyond doubt, `any` whether it may hold (number/verdict.hpp).
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         auto endless = detail::cross_endless_cylinder(base, top, radius, line);
         if (missed(endless)) return endless;
+        // Of a solid the part of the chord between the planes of the caps; of a side alone those ends that are.
         auto c = cut<Closed>(endless, detail::cross_cap_planes(base, top, line));
-        keep_if_in_range<T>(line, c);
+        keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
 

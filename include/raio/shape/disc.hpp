@@ -9,8 +9,8 @@ namespace raio {
 /// The points of a plane at most `radius` from `center`: where the ray meets the plane, the squared distance decides.
 /// It is a ring without a hole, but asks for one rim only.
 ///
-/// uv: u is the angle about the normal, from the x axis of `frame_about(normal)`; v the distance from the centre over
-/// the radius.
+/// uv: u is the angle about the normal in turns, from the x axis of `frame_about(normal)`; v the distance from the
+/// centre over the radius.
 template <real T>
 struct disc {
     using number = T;

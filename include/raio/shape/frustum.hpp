@@ -12,13 +12,14 @@
 ///
 /// From the end with the lesser radius r on, with the other radius r + w and the height h = 0 to 1, the side is at rho
 /// = r + w h from the axis: rho^2 = r^2 + 2 r w h + w^2 h^2, a quadric of revolution, for which see
-/// formula/quadric.hpp. As a perfect square it has no discriminant, (r w)^2 - r^2 w^2 = 0. It has a second nappe beyond
-/// its apex. A line that is steeper than the generators crosses both, and is inside of this one from its crossing on,
-/// in the direction in which the radius grows.
+/// formula/quadric.hpp. As a perfect square it has no discriminant, (r w)^2 - r^2 w^2 = 0. It has a second nappe, the
+/// half of the double cone beyond its apex. A line that is steeper than the generators, the straight lines on it
+/// through the apex, crosses both nappes, and is inside of this one from its crossing on, in the direction in which the
+/// radius grows.
 ///
-/// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
-/// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
-/// the axis over the cap's radius.
+/// Faces are counted side, base, top. uv of the side: u is the angle about the axis in turns, from the x axis of
+/// `frame_about(top - base)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance
+/// from the axis over the cap's radius.
 
 namespace raio {
 
@@ -99,8 +100,8 @@ RAIO_FN constexpr surface_sample<T> sample_frustum_side(const vec3<T>& base, con
 
 }  // namespace detail
 
-/// The points between two discs across one axis: a solid; or, if it is not `Closed`, only the side, up to its rims,
-/// which belong to it, seen from both sides.
+/// The points between two discs across one axis: a solid; or, if it is not `Closed`, only the side, rims included,
+/// which is hit from both sides.
 template <real T, bool Closed = true>
 struct frustum {
     using number = T;

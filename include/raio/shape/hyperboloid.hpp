@@ -19,9 +19,9 @@
 /// which is a quadric of revolution about the middle, for which see formula/quadric.hpp. It is not convex: a line that
 /// is steeper than the asymptotes may be inside before and after its two crossings with the side.
 ///
-/// Faces are counted side, base, top. uv of the side: u is the angle about the axis, from the x axis of
-/// `frame_about(axis)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance from
-/// the axis over the radius.
+/// Faces are counted side, base, top. uv of the side: u is the angle about the axis in turns, from the x axis of
+/// `frame_about(top - base)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance
+/// from the axis over the radius.
 
 namespace raio {
 
@@ -125,8 +125,8 @@ RAIO_FN surface_sample<T> sample_capped_hyperboloid(const vec3<T>& base, const v
 }  // namespace detail
 
 /// The points inside a hyperboloid of one sheet, between its two ends: a solid; or, if it is not `Closed`, only the
-/// side up to its two rims, which belong to it, seen from both sides. With an end radius below the waist radius it
-/// bulges, and with equal radii it is a cylinder.
+/// side, rims included, which is hit from both sides. With an end radius below the waist radius it bulges, and with
+/// equal radii it is a cylinder.
 template <real T, bool Closed = true>
 struct hyperboloid {
     using number = T;

@@ -13,8 +13,9 @@
 /// With the height h, 0 at the vertex and 1 at the top, the side is at the distance rho from the axis, rho^2 = radius^2
 /// h: a quadric of revolution, for which see formula/quadric.hpp. A line parallel to the axis crosses it once.
 ///
-/// Faces are counted side, (none), top. uv of the side: u is the angle about the axis, from the x axis of
-/// `frame_about(axis)`; v the height. uv of the cap: the same u, and v the distance from the axis over the radius.
+/// Faces are counted side, (none), top. uv of the side: u is the angle about the axis in turns, from the x axis of
+/// `frame_about(top - vertex)`; v the height. uv of the cap: the same u, and v the distance from the axis over the
+/// radius.
 
 namespace raio {
 
@@ -75,7 +76,7 @@ RAIO_FN constexpr surface_sample<T> sample_paraboloid_side(const vec3<T>& vertex
 }  // namespace detail
 
 /// The points between a paraboloid of revolution and a disc across its axis: a solid; or, if it is not `Closed`, only
-/// the side, up to its rim, which belongs to it, seen from both sides.
+/// the side, rim included, which is hit from both sides.
 template <real T, bool Closed = true>
 struct paraboloid {
     using number = T;

@@ -31,8 +31,8 @@ RAIO_FN constexpr crossing<W> cross_between_rims(const D& d, const N& n, const L
 /// The points of a plane at least `inner_radius` and at most `outer_radius` from `center`: an annulus. Where the ray
 /// meets the plane, the squared distance decides.
 ///
-/// uv: u is the angle about the normal, from the x axis of `frame_about(normal)`; v goes from 0 at the inner rim to 1
-/// at the outer one.
+/// uv: u is the angle about the normal in turns, from the x axis of `frame_about(normal)`; v goes from 0 at the inner
+/// rim to 1 at the outer one.
 template <real T>
 struct ring {
     using number = T;

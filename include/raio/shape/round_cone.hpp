@@ -15,8 +15,8 @@ namespace raio {
 /// - w^2: a quadric of revolution, see formula/quadric.hpp. The spheres touch it where (p - center).A = -w radius. If
 /// D is not above 0, one sphere is inside of the other.
 ///
-/// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v the height along the axis, 0 at the
-/// pole of the base's sphere and 1 at that of the top's.
+/// uv: u is the angle about the axis in turns, from the x axis of `frame_about(top - base)`; v the height along the
+/// axis, 0 at the pole of the base's sphere and 1 at that of the top's.
 template <real T>
 struct round_cone {
     using number = T;

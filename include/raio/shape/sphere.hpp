@@ -9,14 +9,14 @@
 
 namespace raio {
 
-/// The points at distance `radius` from `center`.
+/// The ball: its surface is at distance `radius` from `center`.
 ///
-/// The point at t of a line lies on it where |t d - l| = radius, with l from the point where t = 0 to the centre:
+/// With the ray's direction d and l from its origin to the centre, the point at t lies on it where |t d - l| = radius:
 ///
 ///     t = (b -+ s) / a,   a = d.d,   b = l.d,   s^2 = b^2 - a (l.l - radius^2) = a radius^2 - |l x d|^2
 ///
-/// (formula/sphere.hpp). uv: u is the angle about +y from +x towards -z, v the latitude, 0 at the lowest y and 1 at the
-/// highest.
+/// (formula/sphere.hpp). uv: u is the angle about +y from +x towards -z, in turns, v the latitude, 0 at the lowest y
+/// and 1 at the highest.
 template <real T>
 struct sphere {
     using number = T;
@@ -41,7 +41,8 @@ struct sphere {
 
     RAIO_FN constexpr T area() const { return T(4 * pi<T>) * radius * radius; }
 
-    /// `u` in [0, 1)^2: u.x is the angle of the uv, u.y the height, along which the area is spread evenly (Archimedes).
+    /// The point that two numbers in [0, 1) choose: u.x is the u of its uv, u.y its height from the lowest point on,
+    /// over the diameter: equal steps of height cut off equal areas (Archimedes).
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
         const T y = T(2) * u.y - T(1), rho = sqrt(max(T(0), T(1) - y * y)), phi = T(2 * pi<T>) * u.x;
         vec3<T> normal(rho * cos(phi), y, -rho * sin(phi));
@@ -49,6 +50,9 @@ struct sphere {
     }
 
     /// Where the ray's line enters the sphere and where it leaves it: `hit`, `occluded` and `spans` choose among these.
+    /// Numbers carry bounds of their errors (proof/line.hpp), and whether a comparison of them holds may be in doubt:
+    /// `every` and `some` combine such verdicts, `all` asks whether one holds beyond doubt, `any` whether it may hold
+    /// (number/verdict.hpp). What RAIO_FN and RAIO_FORMULA tell compilers: config.hpp.
     template <class Line>
     [[gnu::always_inline]] RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         return cross_sphere_about(center, radius, line);
@@ -58,8 +62,8 @@ struct sphere {
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
         auto outward = at.from(center);
-        at.record_point(radius);
-        at.keep_in([this] { return bounds(); });
+        at.record_point(radius);                  // how the surface bends counts in the error bound
+        at.keep_in([this] { return bounds(); });  // where that is large, the point may lie beyond them
         at.record_normal(outward, radius);
         at.record_uv([&] {
             using Q = typename Point::precise;

@@ -111,8 +111,8 @@ private:
 /// `hit_record::index` is the segment. The front is the side away from the axis, and of what runs across the axis the
 /// side that the axis points to.
 ///
-/// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v goes from 0 at the first point to 1 at
-/// the last, every segment an equal part of it.
+/// uv: u is the angle about the axis in turns, from the x axis of `frame_about(axis)`; v goes from 0 at the first point
+/// to 1 at the last, every segment an equal part of it.
 /// \tparam Degree  1 for a polyline, 3 for cubic Bezier segments (curved_surface_of_revolution.hpp)
 template <real T, std::size_t Degree = 1>
 struct surface_of_revolution {

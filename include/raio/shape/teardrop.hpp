@@ -21,7 +21,7 @@ namespace raio {
 /// degree 1 and of degree 2 (squared), and the surface is a quartic. At the tip it has no normal: there it is against
 /// the ray.
 ///
-/// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v is h.
+/// uv: u is the angle about the axis in turns, from the x axis of `frame_about(axis)`; v is h.
 template <real T>
 struct teardrop {
     using number = T;

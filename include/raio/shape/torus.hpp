@@ -10,9 +10,9 @@
 
 namespace raio {
 
-/// The points at distance `minor_radius` from the circle of radius `major_radius` about `center`, across `axis`: a
-/// solid ring. If the minor radius is the larger one, it has no hole, and what its surface would be inside of itself
-/// does not count.
+/// The points at most `minor_radius` from the circle of radius `major_radius` about `center`, across `axis`: a solid
+/// ring. If the minor radius is the larger one, it has no hole, and what its surface would be inside of itself does not
+/// count.
 ///
 /// Let p be a point as seen from the centre, z its height above the plane of the circle and rho its distance from the
 /// axis, R the major radius and r the minor one. In the plane of p and the axis the tube is a disc: its edge is where
@@ -24,20 +24,21 @@ namespace raio {
 /// The square has added the points where p.p + R^2 - r^2 = -2 R rho. There are some only if r > R: they are the surface
 /// that does not count.
 ///
-/// Along a line, f is a polynomial of degree 4. It is written about the closest approach q of the line to the centre,
-/// p(x) = q + x e, for two reasons. However far away the ray starts, q and e are of the size of the torus, and no power
-/// of the distance cancels. And q.e = 0, so that p.p = q.q + x^2 e.e has no linear term, and f no cubic one:
+/// With the ray's direction d and l from its origin to the centre, p = t d - l along the line, and f is a polynomial of
+/// degree 4. It is written about the closest approach q of the line to the centre, p = q + x e, for two reasons.
+/// However far away the ray starts, q and e are of the size of the torus: no large powers of the distance are
+/// subtracted. And q.e = 0, so that p.p = q.q + x^2 e.e has no linear term, and f no cubic one:
 ///
-///     f = e.e^2 x^4 + (2 g e.e + eb^2 - 4 R^2 e.e) x^2 + 2 qb eb x + (g^2 + qb^2 - 4 R^2 q.q)
+///     f = (g^2 + qb^2 - 4 R^2 q.q) + 2 qb eb x + (2 g e.e + eb^2 - 4 R^2 e.e) x^2 + (e.e)^2 x^4
 ///     g = q.q + R^2 - r^2,  qb = q.B,  eb = e.B,    B = 2 R A / |A|
 ///
-/// Of such a depressed quartic one knows where it is convex and where concave. So its first root is found, or that
-/// there is none, mostly without the roots of its derivative (math/depressed_quartic.hpp). The unit of length is the
-/// radius of the bounding sphere, and x = -1 and 1 are where the line enters and leaves that: every coefficient is at
-/// most 16, and all four roots lie between.
+/// Of such a depressed quartic one knows where it is convex and where concave. So the first root, or its absence, is
+/// mostly found without the roots of its derivative (math/depressed_quartic.hpp). The unit of length is the radius of a
+/// sphere about the torus, and x = -1 and 1 are where the line enters and leaves that: every coefficient is at most 16,
+/// and all four roots lie between.
 ///
-/// uv: u is the angle about the axis, from the x axis of `frame_about(axis)`; v the angle about the circle, from the
-/// outside over the axis' end.
+/// uv: u is the angle about the axis in turns, from the x axis of `frame_about(axis)`; v the angle about the circle in
+/// turns, which starts outside and rises towards +axis.
 template <real T>
 struct torus {
     using number = T;
@@ -86,6 +87,9 @@ struct torus {
         return {center + outwards * major_radius + normal * minor_radius, normal};
     }
 
+    /// Where the ray's line enters and where it leaves. Numbers carry bounds of their errors (proof/line.hpp), and
+    /// whether a comparison of them holds may be in doubt: `every` and `some` combine such verdicts, `all` asks whether
+    /// one holds beyond doubt, `any` whether it may hold (number/verdict.hpp).
     /// \param wanted  which of the crossings: of a ring the first may be found without the others
     template <class Line, class Wanted = every_crossing, class W = typename Line::number>
     RAIO_FORMULA constexpr crossing_list<W, 4> crossings(const Line& line, const Wanted& wanted = {}) const {
@@ -103,7 +107,8 @@ struct torus {
         crossing_list<W, 4> list;
         if (!list.holds(every(is_positive(reach2), reach2 >= passed2))) return list;
 
-        // t = middle + x half: |x| <= 1 in the sphere. In lengths of its radius, p(x) = q + x e.
+        // t = middle + x half, |x| <= 1 in the sphere; p = q + x e, in lengths of `size`, as all that follows. (Any
+        // size and any half will do, if all that follows has the same: so these two are taken as given.)
         const auto over_d2 = inverse(d2);
         const auto over_size = inverse(size);
         const auto middle = dot(l, d) * over_d2;
@@ -139,7 +144,7 @@ struct torus {
                           append_outer(g + e2 * square(x), root, t, list);
                       }
                   });
-        start_on_surface(list, [&] { return is_on_surface(l * over_size, major2, tube2); });
+        start_on_surface(list, [&] { return is_on_surface(l * over_size, major2, tube2); });  // at p = -l: f(-p) = f(p)
         return list;
     }
 
@@ -148,13 +153,14 @@ struct torus {
         using W = typename Point::number;
         using Q = typename Point::precise;
         vec3<W> p = at.from(center), a(axis);
-        W height = dot(p, a) / dot(a, a), major(major_radius);  // in lengths of the axis
+        W height = dot(p, a) / dot(a, a);  // in lengths of the axis
+        W major(major_radius);
         vec3<W> up = a * height, beside = p - up;
         W rho2 = dot(beside, beside);
         // rho - R, of which a slender tube leaves few digits.
         Q rho = sqrt(Q(rho2)), beyond = Q(rho2 - major * major) / (rho + Q(major));
 
-        at.record_point(major_radius + minor_radius);
+        at.record_point(major_radius + minor_radius);  // at which the outermost circle bends
         at.keep_in([this] { return bounds(); });
         vec3<Q> outward = vec3<Q>(beside) * beyond + vec3<Q>(up) * rho;  // from the circle, times rho
         // Where the tube meets itself on the axis it has no normal: it is seen along the axis, against the ray.
@@ -194,7 +200,7 @@ private:
         if (root.is_touched()) append(!entering);
     }
 
-    /// Is f = 0 at p?
+    /// Is f = 0 at p? All three are in lengths of the same unit.
     template <proven_vector P, proven_number A>
     RAIO_FN constexpr bool is_on_surface(const P& p, const A& major2, const A& tube2) const {
         using W = typename P::number;
@@ -211,7 +217,7 @@ private:
         return atan2(sqrt(max(r2, T(0))), -major_radius);
     }
 
-    /// The area of the tube between its outside and the angle psi, over its length per angle.
+    /// The area of the tube between its outside and the angle psi, over 2 pi minor_radius.
     RAIO_FN constexpr T strip(const T& psi) const { return major_radius * psi + minor_radius * sin(psi); }
 };
 

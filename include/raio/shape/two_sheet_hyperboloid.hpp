@@ -33,7 +33,7 @@ RAIO_FN constexpr auto two_sheets(const T& gap, const T& end) {
 }  // namespace detail
 
 /// The points inside both sheets of a hyperboloid, up to its two ends: a solid in two parts; or, if it is not `Closed`,
-/// only both sheets up to their rims, which belong to them, seen from both sides.
+/// only both sheets, rims included, which are hit from both sides.
 template <real T, bool Closed = true>
 struct two_sheet_hyperboloid {
     using number = T;
