@@ -155,11 +155,17 @@ RAIO_FN constexpr interval<T> between_ends(const Near& near, const Far& far) {
     return interval<T>{select(meets, T(near.t), infinity<T>), select(meets, T(far.t), -infinity<T>)};
 }
 
-/// The crossings of a solid, also those whose point no number can say. One that has no end in some direction says which
-/// part of the line is `inside`: it may be all of it, or all from some point on.
+/// A solid that has no end in some direction. It says which part of the line is `inside`, which may be all of it, or
+/// all from some point on.
+template <class Shape, class Line>
+concept is_endless = requires(const Shape& shape, const Line& line) {
+    shape.inside(line);
+};
+
+/// The crossings of a solid, also those whose point no number can say.
 template <class Shape, class Line>
 RAIO_FORMULA constexpr auto every_end(const Shape& shape, const Line& line) {
-    if constexpr (requires { shape.inside(line); }) {
+    if constexpr (is_endless<Shape, Line>) {
         using W = typename Line::number;
         auto c = shape.inside(line);
         const bound_t<W> speed = most_of(line.direction());
@@ -191,10 +197,10 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
         auto& [near, far] = quick;
         const bool missed = every(!near.exists, !far.exists, near.certain, far.certain);
         const auto is_known = [](const auto& c) {
-            if constexpr (detail::keeps_all_digits<T>) {
-                const bool is_no_end = c.certain && !is_finite(c.t) && c.error == bound_t<working_t<T>>(0);
-                return is_no_end || detail::is_known<T>(c);
+            if constexpr (detail::is_endless<Shape, mapped_line<working_t<T>>>) {
+                if (c.certain && !is_finite(c.t) && c.error == bound_t<working_t<T>>(0)) return true;
             }
+            if constexpr (detail::keeps_all_digits<T>) return detail::is_known<T>(c);
             return c.certain && detail::rounds_to_one<T>(c);
         };
         const bool known = is_known(near);
