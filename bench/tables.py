@@ -49,6 +49,11 @@ def cells(measured, shape, call, of=lambda nanoseconds, key: nanoseconds):
             yield shown(of(measured[key][0], key)) if key in measured else ""
 
 
+def machine(results):
+    context = results["context"]
+    return f"{context['num_cpus']} cores at {context['mhz_per_cpu'] / 1000:.1f} GHz, {context['date'][:10]}."
+
+
 def glance(results):
     """What a reader wants to know first."""
     measured = medians(results)
@@ -61,8 +66,9 @@ def glance(results):
                 continue
             rows.append([name, number] + [shown(time[0]) if time else "" for time in times]
                         + [shown(time[0] / times[0][0]) if time else "" for time in times[1:3]])
-    return table(["nanoseconds per test", "number", "textbook", "`quick`", "exact", "exact, in packs",
-                  "`quick` / textbook", "exact / textbook"], rows) + "\n"
+    head = ["nanoseconds per test", "number", "textbook", "`quick`", "exact", "exact, in packs", "`quick` / textbook",
+            "exact / textbook"]
+    return machine(results) + "\n\n" + table(head, rows) + "\n"
 
 
 def markdown(results):
@@ -105,9 +111,8 @@ def markdown(results):
                     ratios.append([shape, f"{ours} / `{call}`"] + list(cells(measured, shape, ours, ratio_to(call))))
     rate = [[shape, "**hit**"] + list(cells(measured, shape, "hit", lambda ns, key: 1e3 / ns)) for shape in shapes]
 
-    context = results["context"]
     return "\n\n".join([
-        f"{context['num_cpus']} cores at {context['mhz_per_cpu'] / 1000:.1f} GHz, {context['date'][:10]}.",
+        machine(results),
         "`hit`, with its record filled, over the peers that it shall not be slower than:",
         table(["shape", "peer"] + columns, bar("hit")),
         "The same in packs, as many tests at a time as registers have lanes (`hit_in_packs`), over the same peers:",
