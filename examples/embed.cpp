@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
             const double u = (x + 0.5 - width / 2) / height, v = (height / 2 - y - 0.5) / height;
             const Vector color = renderer.Color({{0, 4, 7}, Vector{u, v - 0.4, -1}.Normalized(), 0, 1e30});
             for (const double c : {color.x, color.y, color.z})
-                picture << static_cast<char>(std::fmin(255, 255 * std::sqrt(c)));
+                picture << static_cast<unsigned char>(std::fmin(255, 255 * std::sqrt(c)));
         }
     }
     if (!picture.flush()) {

@@ -125,7 +125,9 @@ RAIO_FN constexpr vec3<T> within_range(const vec3<T>& p) {
 template <class Mask, record Record>
 RAIO_FN constexpr void assign(const Mask& mask, Record& to, const Record& from) {
     const auto take = [&mask](auto& member, const auto& new_member) {
-        if constexpr (!std::same_as<Mask, bool>) {
+        if constexpr (requires { member.take(mask, new_member); }) {  // which lanes are front
+            member.take(mask, new_member);
+        } else if constexpr (!std::same_as<Mask, bool>) {
             member = select(mask, new_member, member);
         } else if (mask) {
             member = new_member;

@@ -62,13 +62,10 @@ static_assert(solid<quick<sphere<float>>> && bounded<quick<torus<double>>> && sa
 static_assert(!solid<quick<triangle<float>>>);
 
 TEST_CASE("quick: known when compiling, as other shapes are") {
-    constexpr auto t = [] {
-        hit_record<double> rec{};
-        return quick{sphere<double>{{0, 0, -3}, 1}}.hit(ray<double>{{0, 0, 0}, {0, 0, -2}}, 0.0, 10.0, rec) ? rec.t
-                                                                                                            : -1;
-    }();
-    static_assert(t == 1);
-    CHECK(t == 1);
+    constexpr quick floor{plane<double>{{0, -1, 0}, {0, 2, 0}}};
+    static_assert(floor.occluded(ray<double>{{0, 0, 0}, {0, -2, 1}}, 0.0, 1.0));
+    static_assert(!floor.occluded(ray<double>{{0, 0, 0}, {0, -2, 1}}, 0.0, 0.25));
+    CHECK(floor.occluded(ray<double>{{0, 0, 0}, {0, -2, 1}}, 0.5, 0.5));
 }
 
 TEST_CASE("quick: a window, a miss and a record of one's own") {

@@ -335,7 +335,7 @@ TEST_CASE_TEMPLATE("surface of revolution: uv and area, and samples spread evenl
         surface_of_revolution<T> bad = can;
         T& number = place < 3   ? bad.base[place]
                     : place < 6 ? bad.axis[place - 3]
-                                : bad.profile[place / 2 - 3][place % 2];
+                                : bad.profile[static_cast<std::size_t>(place / 2 - 3)][place % 2];
         number = std::numeric_limits<T>::quiet_NaN();
         const aabb<T> box = bad.bounds();
         CHECK((is_nan(box.min.x) && is_nan(box.min.z) && is_nan(box.max.y)));

@@ -57,10 +57,17 @@ public:
     RAIO_FN friend constexpr pack_mask operator||(const pack_mask& a, const pack_mask& b) { return a | b; }
 
     RAIO_FN friend constexpr pack_mask select(const pack_mask& where, const pack_mask& a, const pack_mask& b) {
-        if constexpr (std::same_as<part, bool>) {  // of which what is not chosen need have no value
-            return made([&](std::size_t i) { return where.parts_[i] ? a.parts_[i] : b.parts_[i]; });
+        return (where && a) || (!where && b);
+    }
+
+    /// Takes these lanes over from another mask. The rest stays as it is, and need have no value.
+    RAIO_FN constexpr void take(const pack_mask& where, const pack_mask& from) {
+        if constexpr (std::same_as<part, bool>) {
+            for (std::size_t i = 0; i < count; ++i) {
+                if (where.parts_[i]) parts_[i] = from.parts_[i];
+            }
         } else {
-            return (where && a) || (!where && b);
+            *this = select(where, from, *this);
         }
     }
 

@@ -146,7 +146,7 @@ template <has_lanes P, class Packed, class R, record Record>
             return true;
         });
     if constexpr (has_front_face<Record>) {
-        rec.front_face = select(met, front > P(0), rec.front_face);
+        rec.front_face.take(met, front > P(0));
     }
     return met;
 }
