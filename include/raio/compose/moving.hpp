@@ -10,8 +10,9 @@ namespace raio {
 /// evenly: what is shot, falls, slides or grows. (Where it turns, by small angles: halfway through half a turn it would
 /// be flat.) It is asked with rays that have a time, and before 0 and after 1 it is missed.
 ///
-///     raio::moving ball{raio::sphere<float>{{0, 0, 0}, 1}, raio::transform<float>{}, raio::translation<float>({0, 2,
-///     0})}; ball.hit(raio::timed_ray<float>{{origin, direction}, time}, 0, t_max, rec)
+///     const raio::sphere<float> ball{{0, 0, 0}, 1};
+///     const raio::moving rising{ball, raio::transform<float>{}, raio::translation<float>({0, 2, 0})};
+///     rising.hit(raio::timed_ray<float>{{origin, direction}, time}, 0, t_max, rec);
 ///
 /// A ray meets what it meets of `transformed{primitive, map(time)}`, bit for bit. In trees, groups, maps and CSG it is
 /// asked with such rays as well.
