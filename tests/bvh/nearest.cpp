@@ -26,7 +26,7 @@ struct mark {
     bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
         ++*asked;
         if (!occluded(ray, t_min, t_max)) return false;
-        rec.t = t, rec.point = vec3<T>(t, 0, 0);
+        rec = {}, rec.t = t, rec.point = vec3<T>(t, 0, 0);
         return true;
     }
 };
