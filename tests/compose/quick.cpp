@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("quick: what the exact shape answers, but for a few rays that
         if constexpr (detail::has_plain_formula<P>) {
             portable_numbers numbers;
             comparison found;
-            const int rays = at_least(20'000);
+            const int rays = at_least(3'000);
             for (int i = 0; i < rays; ++i) {
                 const quick<P> shape{make(numbers)};
                 const P& exact = shape;
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("quick: what the exact shape answers, but for a few rays that
             INFO(std::string(name));
             // Where on a thick curve a point lies, and whether a blob's polynomial is zero, floats know badly.
             const bool is_hard = std::same_as<P, bezier_curve<float>> || std::same_as<P, blob<float, 3>>;
-            const int few = is_hard ? rays / 10 : rays / 1000;
+            const int few = is_hard ? rays / 10 : rays / 500;
             CHECK(found.hits > rays / 100);
             CHECK(found.unlike <= few);
             CHECK(found.elsewhere <= few);
