@@ -10,7 +10,6 @@
 namespace {
 
 constexpr std::size_t square = bench::square_side * bench::square_side;
-constexpr std::size_t quarter = bench::quarter_side * bench::quarter_side;
 
 template <class Tree>
 std::size_t hits_of_square(const Tree& tree, std::span<const raio::ray<float>, square> rays, float t_max) {
@@ -21,6 +20,8 @@ std::size_t hits_of_square(const Tree& tree, std::span<const raio::ray<float>, s
 }
 
 #ifdef RAIO_BENCH_EMBREE
+constexpr std::size_t quarter = bench::quarter_side * bench::quarter_side;
+
 std::size_t hits_of_embree(const peers::embree& tree, std::span<const raio::ray<float>, quarter> rays, float t_max) {
     RTCRayHit16 recs;
     tree.hit_coherent(rays, 0, t_max, recs);
