@@ -35,6 +35,9 @@
 #define RAIO_FORMULA RAIO_FN
 #endif
 
+/// Stands before a function that one call in hundreds needs: it stays out of line, and is compiled to be small.
+#define RAIO_RARELY [[gnu::noinline, gnu::cold]]
+
 /// Stands before a function that takes numbers of several parts by value. For an argument that is a constant, g++ 12
 /// makes a clone that knows some of the parts, and in a large file at -O3 forgets to store what the clone still reads.
 #if defined(__GNUC__) && !defined(__clang__)

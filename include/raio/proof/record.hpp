@@ -17,9 +17,8 @@ namespace raio {
 
 namespace detail {
 
-// Out of line, as what is rare.
 template <real T>
-[[gnu::noinline]] RAIO_FN constexpr vec3<T> put_within_range(vec3<T> p) {
+RAIO_RARELY RAIO_FN constexpr vec3<T> put_within_range(vec3<T> p) {
     return within_range(p);
 }
 
@@ -306,7 +305,7 @@ private:
             return outward;
         }
     }
-    [[gnu::noinline]] RAIO_FN static constexpr vec3<Q> against(vec3<Q> direction) { return -normalize(direction); }
+    RAIO_RARELY RAIO_FN static constexpr vec3<Q> against(vec3<Q> direction) { return -normalize(direction); }
     RAIO_FN constexpr vec3<Q> against_ray() const { return against(vec3<Q>(vec3<W>(unmapped(ray_).direction))); }
 
     RAIO_FN constexpr T t() const { return T(crossing_.t) + T(0); }  // never -0
@@ -327,6 +326,16 @@ concept has_tips = requires(const Shape shape, const At at) {
 
 /// What the shape records of a crossing.
 template <class Shape, class Ray, class W, record Record>
+RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const crossing<W>& crossing, Record& rec);
+
+/// The same with all digits that there are. Close to a tip only, so that it is out of line.
+template <class Shape, class Ray, class W, record Record>
+RAIO_RARELY RAIO_FN constexpr void record_closer(const Shape& shape, const Ray& ray, const crossing<W>& crossing,
+                                                 Record& rec) {
+    record_crossing(shape, ray, in_more_digits<exact_t<typename Shape::number>>(crossing), rec);
+}
+
+template <class Shape, class Ray, class W, record Record>
 RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const crossing<W>& crossing, Record& rec) {
     using T = typename Shape::number;
     using point = surface_point<W, T, Ray, Record>;
@@ -337,7 +346,7 @@ RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const
         const mask_t<T> close(shape.is_close_to_tip(at));
         if (any(close)) [[unlikely]] {
             Record closer;
-            record_crossing(shape, ray, in_more_digits<exact_t<T>>(crossing), closer);
+            record_closer(shape, ray, crossing, closer);
             assign(close, rec, closer);
         }
     }

@@ -81,8 +81,8 @@ RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit vis
 /// The same question, if the quick crossing has not answered it: the exact formula decides. Out of line, and without
 /// what is known already: where this is rare, it must not cost the common case its registers.
 template <real T, class Shape, class Origin, class Then>
-[[gnu::noinline]] RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const Origin& origin, T t_min, T t_max,
-                                                            Then then) {
+RAIO_RARELY RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const Origin& origin, T t_min, T t_max,
+                                                      Then then) {
     const auto& ray = made_of(origin);
     using W = working_t<T>;
     using X = exact_t<T>;
