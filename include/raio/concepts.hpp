@@ -73,20 +73,6 @@ concept has_formula = !has_lanes<number_t<P>> && requires(const P shape, const m
     shape.crossings(line);
 };
 
-/// What a shape has recorded that knows plain rays only, as it is seen through the maps.
-template <real T>
-RAIO_FN constexpr hit_record<T> seen(const mapped_ray<T>& ray, hit_record<T> rec) {
-    using Q = working_t<T>;
-    const auto [origin, direction] = ray.rounded();
-    // The mapped ray was rounded, and so is the mapped point.
-    const T rounding = norm1(origin) + norm1(direction) * abs(rec.t);
-    rec.error = vec3<T>(ray.stretched(norm1(rec.error) + rounding * T(4 * unit_roundoff<T>)));
-    rec.point = within_range(vec3<T>(ray.point(vec3<Q>(rec.point))));
-    rec.error += abs(rec.point) * T(unit_roundoff<T>);
-    rec.normal = vec3<T>(normalize_from<T>(ray.across(vec3<Q>(rec.normal))));
-    return rec;
-}
-
 // The three questions, put with a ray as it is or mapped. What knows plain rays only is asked with the mapped one,
 // rounded.
 
@@ -102,7 +88,7 @@ RAIO_FN constexpr mask_t<number_t<P>> hit(const P& shape, const Ray& ray, number
         hit_record<T> own;
         if constexpr (is_mapped<Ray>) {
             if (!shape.hit(ray.rounded(), t_min, t_max, own)) return false;
-            own = seen(ray, own);
+            own = ray.seen(own);
         } else {
             if (!shape.hit(ray, t_min, t_max, own)) return false;
         }

@@ -2,8 +2,8 @@
 
 #include <raio/push_macros.hpp>
 
+#include <array>
 #include <bit>
-#include <iterator>
 
 #include <raio/aabb.hpp>
 #include <raio/ray.hpp>

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include <raio/concepts.hpp>
+#include <raio/math/any_number_of_spans.hpp>
+#include <raio/proof/mapped_ray.hpp>
 
 namespace raio {
 

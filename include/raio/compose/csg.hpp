@@ -3,6 +3,7 @@
 #include <raio/push_macros.hpp>
 
 #include <raio/concepts.hpp>
+#include <raio/proof/mapped_ray.hpp>
 
 /// \file
 /// Constructive solid geometry: what is inside two solids, in one or the other, or in one but not the other.

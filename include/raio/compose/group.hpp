@@ -7,6 +7,8 @@
 #include <utility>
 
 #include <raio/concepts.hpp>
+#include <raio/math/any_number_of_spans.hpp>
+#include <raio/proof/mapped_ray.hpp>
 
 namespace raio {
 

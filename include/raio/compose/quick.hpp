@@ -3,6 +3,7 @@
 #include <raio/push_macros.hpp>
 
 #include <raio/concepts.hpp>
+#include <raio/proof/mapped_ray.hpp>
 #include <raio/surface_sample.hpp>
 
 namespace raio {

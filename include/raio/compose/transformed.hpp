@@ -3,8 +3,8 @@
 #include <raio/push_macros.hpp>
 
 #include <raio/concepts.hpp>
-#include <raio/math/transform.hpp>
 #include <raio/proof/lanes.hpp>
+#include <raio/proof/mapped_ray.hpp>
 
 namespace raio {
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include <raio/number/real.hpp>
 
@@ -32,13 +31,22 @@ inline constexpr std::size_t any_number = static_cast<std::size_t>(-1);
 template <std::size_t N, std::size_t M>
 inline constexpr std::size_t room = N == any_number || M == any_number ? any_number : N + M;
 
+namespace detail {
+
+/// What N intervals stand in. For any_number there is math/any_number_of_spans.hpp.
+template <class T, std::size_t N>
+struct span_storage {
+    using type = std::array<interval<T>, N>;
+};
+
+}  // namespace detail
+
 /// Where a ray is inside a solid: at most N intervals, in order along the ray, none of them empty, no two with a point
 /// in common. The room is part of the type, so that a solid's spans need no memory of their own, on a graphics card
 /// neither. Only what is not known before the program runs has room for any_number.
 template <class T, std::size_t N>
 struct spans {
-    std::conditional_t<N == any_number, std::vector<interval<T>>, std::array<interval<T>, N == any_number ? 0 : N>>
-        intervals{};
+    typename detail::span_storage<T, N>::type intervals{};
     std::size_t count = 0;
 
     constexpr spans() = default;

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include <raio/failure.hpp>
 #include <raio/math/vec.hpp>
 
 namespace raio {
@@ -29,7 +30,7 @@ struct transform {
         if constexpr (Rows == 4) {
             const bool affine =
                 columns[0][3] == U(0) && columns[1][3] == U(0) && columns[2][3] == U(0) && columns[3][3] == U(1);
-            if (!affine) throw std::invalid_argument("raio::transform: a matrix whose last row is not 0 0 0 1");
+            if (!affine) detail::fail(std::invalid_argument("raio::transform: a matrix whose last row is not 0 0 0 1"));
         }
     }
 

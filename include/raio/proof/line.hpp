@@ -84,6 +84,46 @@ RAIO_FN constexpr line<W, R> line_in(const ray<R>& ray) {
     return line<W, R>(ray);
 }
 
+/// The same questions put to a ray as it is and to one that was mapped (proof/mapped_ray.hpp): as whom it has been
+/// asked for, where it starts and where it goes as the shape sees it.
+template <real T>
+RAIO_FN constexpr const ray<T>& unmapped(const ray<T>& ray) {
+    return ray;
+}
+template <class W, class Ray>
+RAIO_FN constexpr vec3<W> origin_as(const Ray& ray) {
+    return vector_in(line_in<W>(ray).origin());
+}
+template <class W, class Ray>
+RAIO_FN constexpr vec3<W> direction_as(const Ray& ray) {
+    return vector_in(line_in<W>(ray).direction());
+}
+
+namespace detail {
+
+template <class Ray>
+inline constexpr bool is_mapped = requires(const Ray& ray) {
+    ray.made_of();
+};
+
+/// What a ray can be made of again: who is given that has not seen the ray itself, which can stay in registers.
+template <real T>
+RAIO_FN constexpr const ray<T>& origin_of(const ray<T>& ray) {
+    return ray;
+}
+template <class Ray>
+requires is_mapped<Ray> RAIO_FN constexpr auto origin_of(const Ray& ray) { return ray.made_of(); }
+template <real T>
+RAIO_FN constexpr const ray<T>& made_of(const ray<T>& ray) {
+    return ray;
+}
+template <class Origin>
+RAIO_FN constexpr auto made_of(const Origin& origin) {
+    return typename Origin::ray(origin);
+}
+
+}  // namespace detail
+
 /// The line of a ray that was mapped: in numbers of W, each with a bound of its error.
 template <class W>
 struct mapped_line : shape_numbers<W> {

@@ -2,6 +2,7 @@
 
 #include <raio/push_macros.hpp>
 
+#include <raio/hit_record.hpp>
 #include <raio/math/transform.hpp>
 #include <raio/proof/line.hpp>
 
@@ -163,6 +164,18 @@ public:
         return outer_ == nullptr ? mapped : outer_->stretched(mapped);
     }
 
+    /// What a shape has recorded that knows plain rays only, as it is seen.
+    RAIO_FN constexpr hit_record<T> seen(hit_record<T> rec) const {
+        const auto [origin, direction] = rounded();
+        // The mapped ray was rounded, and so is the mapped point.
+        const T rounding = norm1(origin) + norm1(direction) * abs(rec.t);
+        rec.error = vec3<T>(stretched(norm1(rec.error) + rounding * T(4 * unit_roundoff<T>)));
+        rec.point = within_range(vec3<T>(point(vec3<Q>(rec.point))));
+        rec.error += abs(rec.point) * T(unit_roundoff<T>);
+        rec.normal = vec3<T>(normalize_from<T>(across(vec3<Q>(rec.normal))));
+        return rec;
+    }
+
     /// What it is made of.
     struct origin {
         using ray = mapped_ray;
@@ -205,23 +218,9 @@ RAIO_FN constexpr decltype(auto) line_in(const mapped_ray<T>& ray) {
     return ray.template line<W>();
 }
 
-/// The same questions put to a ray as it is and to one that was mapped: as whom it has been asked for, where it starts
-/// and where it goes as the shape sees it, and the point at t as seen from p.
-template <real T>
-RAIO_FN constexpr const ray<T>& unmapped(const ray<T>& ray) {
-    return ray;
-}
 template <real T>
 RAIO_FN constexpr const ray<T>& unmapped(const mapped_ray<T>& ray) {
     return ray.world();
-}
-template <class W, class Ray>
-RAIO_FN constexpr vec3<W> origin_as(const Ray& ray) {
-    return vector_in(line_in<W>(ray).origin());
-}
-template <class W, class Ray>
-RAIO_FN constexpr vec3<W> direction_as(const Ray& ray) {
-    return vector_in(line_in<W>(ray).direction());
 }
 template <class W, real T, real V>
 RAIO_FN constexpr vec3<W> seen_from(const vec3<V>& p, const mapped_ray<T>& ray, const W& t) {
@@ -230,29 +229,6 @@ RAIO_FN constexpr vec3<W> seen_from(const vec3<V>& p, const mapped_ray<T>& ray, 
 }
 
 namespace detail {
-
-/// What a ray can be made of again: who is given that has not seen the ray itself, which can stay in registers.
-template <real T>
-RAIO_FN constexpr const ray<T>& origin_of(const ray<T>& ray) {
-    return ray;
-}
-template <real T>
-RAIO_FN constexpr auto origin_of(const mapped_ray<T>& ray) {
-    return ray.made_of();
-}
-template <real T>
-RAIO_FN constexpr const ray<T>& made_of(const ray<T>& ray) {
-    return ray;
-}
-template <class Origin>
-RAIO_FN constexpr auto made_of(const Origin& origin) {
-    return typename Origin::ray(origin);
-}
-
-template <class Ray>
-inline constexpr bool is_mapped = requires(const Ray& ray) {
-    ray.made_of();
-};
 
 /// The ray as one sees it that is under the map. It is given what it has to outlive.
 template <real T>

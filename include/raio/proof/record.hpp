@@ -4,7 +4,7 @@
 
 #include <raio/hit_record.hpp>
 #include <raio/proof/crossing.hpp>
-#include <raio/proof/mapped_ray.hpp>
+#include <raio/proof/line.hpp>
 
 /// \file
 /// What is recorded of a crossing.

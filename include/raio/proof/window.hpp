@@ -3,7 +3,7 @@
 #include <raio/push_macros.hpp>
 
 #include <raio/proof/chord.hpp>
-#include <raio/proof/mapped_ray.hpp>
+#include <raio/proof/line.hpp>
 
 /// \file
 /// Which crossings count: those with t in the closed window [t_min, t_max] that is asked for.

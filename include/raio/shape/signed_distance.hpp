@@ -2,6 +2,7 @@
 
 #include <raio/push_macros.hpp>
 
+#include <raio/math/any_number_of_spans.hpp>
 #include <raio/proof/normal.hpp>
 #include <raio/shape/box.hpp>
 
