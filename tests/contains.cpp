@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <raio/bvh/bvh.hpp>
 #include <raio/raio.hpp>
 
 #include "support/oracle.hpp"

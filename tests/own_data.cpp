@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include <raio/bvh/bvh.hpp>
 #include <raio/raio.hpp>
 
 #include "support/random.hpp"

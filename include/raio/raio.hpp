@@ -1,9 +1,9 @@
 #pragma once
 
 /// \file
-/// Everything.
+/// Every shape, and what is composed of them. Who wants trees or packs as well asks for them, since they are much to
+/// compile: `raio/bvh/bvh.hpp`, `raio/number/simd.hpp`.
 
-#include <raio/bvh/bvh.hpp>
 #include <raio/compose/any_primitive.hpp>
 #include <raio/compose/csg.hpp>
 #include <raio/compose/group.hpp>
@@ -12,7 +12,6 @@
 #include <raio/compose/moving.hpp>
 #include <raio/compose/quick.hpp>
 #include <raio/compose/transformed.hpp>
-#include <raio/number/simd.hpp>
 #include <raio/shape/algebraic.hpp>
 #include <raio/shape/bezier_curve.hpp>
 #include <raio/shape/bilinear_patch.hpp>

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <raio/bvh/bvh.hpp>
+#include <raio/number/simd.hpp>
 #include <raio/raio.hpp>
 
 #include "support/packs.hpp"

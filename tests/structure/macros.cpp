@@ -23,6 +23,7 @@
 #define Bool int
 #define Status int
 
+#include <raio/bvh/bvh.hpp>
 #include <raio/raio.hpp>
 
 // And they are what they were.

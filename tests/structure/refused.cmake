@@ -6,7 +6,8 @@ cmake_minimum_required(VERSION 3.25)
 list(TRANSFORM INCLUDES PREPEND "-I")
 
 function(compile name line)
-    file(WRITE ${FOLDER}/${name}.cpp "#include <raio/raio.hpp>
+    file(WRITE ${FOLDER}/${name}.cpp "#include <raio/bvh/bvh.hpp>
+#include <raio/raio.hpp>
 
 int main() {
     using namespace raio;

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include <raio/bvh/bvh.hpp>
 #include <raio/raio.hpp>
 
 /// Built without exceptions and run-time types, and once more without threads: a tree answers as its loop, and what is

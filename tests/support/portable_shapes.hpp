@@ -1,5 +1,6 @@
 #pragma once
 
+#include <raio/bvh/gather.hpp>
 #include <raio/raio.hpp>
 
 #include <array>

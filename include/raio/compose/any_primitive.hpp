@@ -56,8 +56,8 @@ struct out_of_line {
     }
 
     template <class Line, class... Wanted>
-    requires requires(const P p, const Line line, const Wanted... wanted) { p.crossings(line, wanted...); }
-    auto crossings(const Line& line, const Wanted&... wanted) const {
+    auto crossings(const Line& line, const Wanted&... wanted) const
+        -> decltype(std::declval<const P&>().crossings(line, wanted...)) {
         return called<typename Line::number>([&] { return shape.crossings(line, wanted...); });
     }
 
