@@ -2,6 +2,13 @@
 #include <cmath>
 #include <string>
 
+#include <raio/shape/algebraic.hpp>
+#include <raio/shape/blob.hpp>
+#include <raio/shape/quadric.hpp>
+#include <raio/shape/steiner.hpp>
+#include <raio/shape/teardrop.hpp>
+#include <raio/shape/torus.hpp>
+
 #include "shape_readings.hpp"
 
 namespace render {
@@ -16,7 +23,7 @@ shape read_quadric(tokens& in, int) {
     if (squares == vec3(0) && products == vec3(0) && linear == vec3(0)) {
         in.fail("a quadric that is the same everywhere", "coefficients that are not all 0");
     }
-    return kept(raio::quadric<number, Closed>{min, max, squares, products, linear, constant});
+    return raio::quadric<number, Closed>{min, max, squares, products, linear, constant};
 }
 
 template <bool Closed>
@@ -38,14 +45,14 @@ shape read_algebraic(tokens& in, int) {
         return term;
     });
     if (degree == 0) in.fail("an algebraic surface that is the same everywhere", "a term with a power above 0");
-    if (degree <= 4) return kept(raio::algebraic<number, 4, Closed>{min, max, terms});
-    return kept(raio::algebraic<number, highest, Closed>{min, max, terms});
+    if (degree <= 4) return raio::algebraic<number, 4, Closed>{min, max, terms};
+    return raio::algebraic<number, highest, Closed>{min, max, terms};
 }
 
 shape read_teardrop(tokens& in, int) {
     const vec3 bottom = vector(in, "the bottom of a teardrop"), tip = vector(in, "the tip of a teardrop");
     if (bottom == tip) in.fail("the bottom again", "another tip of a teardrop");
-    return kept(raio::teardrop<number>{bottom, tip, in.expect_number("the radius of a teardrop", positive)});
+    return raio::teardrop<number>{bottom, tip, in.expect_number("the radius of a teardrop", positive)};
 }
 
 shape read_blob(tokens& in, int) {
@@ -63,7 +70,7 @@ shape read_blob(tokens& in, int) {
         in.fail(std::to_string(components.size()) + " components", "a blob of 1 to 16");
     }
     std::ranges::copy(components, blob.components.begin());
-    return kept(blob);
+    return blob;
 }
 
 }  // namespace

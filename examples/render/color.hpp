@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include <raio/raio.hpp>
+#include <raio/math/vec.hpp>
 
 namespace render {
 

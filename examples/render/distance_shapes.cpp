@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <raio/shape/signed_distance.hpp>
+
 #include "shape_readings.hpp"
 
 namespace render {
@@ -105,7 +107,7 @@ shape read_signed_distance(tokens& in, int depth) {
     const vec3 center = (min + max) * 0.5, half_edges = (max - min) * 0.5;
     const auto clipped = [=](const vec3& p) { return std::max(inner(p), distance_to_block(half_edges, p - center)); };
     const number tolerance = raio::length(max - min) * 1e-5;
-    return kept(raio::signed_distance{raio::aabb<number>{min, max}, tolerance, number(1), clipped});
+    return raio::signed_distance{raio::aabb<number>{min, max}, tolerance, number(1), clipped};
 }
 
 }  // namespace

@@ -1,3 +1,11 @@
+#include <raio/shape/bilinear_patch.hpp>
+#include <raio/shape/disc.hpp>
+#include <raio/shape/heightfield.hpp>
+#include <raio/shape/parallelogram.hpp>
+#include <raio/shape/plane.hpp>
+#include <raio/shape/ring.hpp>
+#include <raio/shape/triangle.hpp>
+
 #include "shape_readings.hpp"
 
 namespace render {
@@ -8,7 +16,7 @@ shape read_ring(tokens& in, int) {
     const number inner = in.expect_number("the inner radius of a ring", not_negative);
     const number outer = in.expect_number("the outer radius of a ring", positive);
     if (!(inner < outer)) in.fail("an inner radius that is not below the outer one", "the smaller radius first");
-    return kept(raio::ring<number>{center, normal, inner, outer});
+    return raio::ring<number>{center, normal, inner, outer};
 }
 
 shape read_triangle(tokens& in, int) {
@@ -34,7 +42,7 @@ shape read_bilinear_patch(tokens& in, int) {
     if (middle == vec3(0) && side == vec3(0)) {
         in.fail("a bilinear patch without area", "corners that are not on one line");
     }
-    return kept(raio::bilinear_patch<number>{p00, p10, p01, p11});
+    return raio::bilinear_patch<number>{p00, p10, p01, p11};
 }
 
 shape read_heightfield(tokens& in, int) {
@@ -47,7 +55,7 @@ shape read_heightfield(tokens& in, int) {
     for (std::size_t left = columns * rows; left > 0; --left) {
         field.heights.push_back(in.expect_number("a height of a heightfield"));
     }
-    return kept(std::move(field));
+    return std::move(field);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <raio/shape/sphere.hpp>
+
 namespace render {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <raio/raio.hpp>
+#include <raio/shape/triangle.hpp>
 
 namespace render {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include <raio/raio.hpp>
+#include <raio/shape/triangle.hpp>
 
 namespace render {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <raio/raio.hpp>
+#include <raio/shape/triangle.hpp>
 
 namespace render {
 

@@ -4,6 +4,10 @@
 
 #include <glm/vector_relational.hpp>
 
+#include <raio/shape/box.hpp>
+#include <raio/shape/convex_polyhedron.hpp>
+#include <raio/shape/polyhedra.hpp>
+
 #include "shape_readings.hpp"
 
 namespace render {

@@ -5,6 +5,8 @@
 #include <thread>
 #include <vector>
 
+#include <raio/shape/disc.hpp>
+
 #include "camera.hpp"
 
 namespace render {

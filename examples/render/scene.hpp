@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include <raio/raio.hpp>
+#include <raio/shape/triangle.hpp>
 
-#include "sampled.hpp"
+#include "any_shape.hpp"
 #include "texture.hpp"
 
 /// \file
@@ -88,12 +88,8 @@ struct emissive {
 
 using material = std::variant<phong, lambertian, metal, dielectric, emissive>;
 
-/// What is transformed or combined is only known when the file is read.
-using shape =
-    std::variant<raio::sphere<number>, raio::plane<number>, raio::disc<number>, raio::parallelogram<number>,
-                 raio::triangle<number>, raio::box<number>, raio::cylinder<number>, raio::open_cylinder<number>,
-                 raio::convex_polyhedron<number>, raio::torus<number>, raio::any_primitive<number>,
-                 raio::any_solid<number>, sampled<raio::any_primitive<number>>, sampled<raio::any_solid<number>>>;
+/// What a scene has most of, the triangles of meshes, and all other shapes.
+using shape = std::variant<raio::triangle<number>, any_shape>;
 
 /// A shape, and which of the scene's pigments and materials it has.
 struct object {

@@ -7,6 +7,8 @@
 #include <string>
 
 #include <glm/vector_relational.hpp>
+#include <raio/compose/csg.hpp>
+#include <raio/shape/box.hpp>
 
 #include "shape_readings.hpp"
 
@@ -29,12 +31,10 @@ any_solid united(any_solid a, any_solid b) { return raio::union_of(std::move(a),
 any_solid intersected(any_solid a, any_solid b) { return raio::intersection_of(std::move(a), std::move(b)); }
 
 any_solid read_solid(tokens& in, int depth) {
-    return std::visit(
-        [&]<class Shape>(const Shape& s) -> any_solid {
-            if constexpr (raio::solid<Shape>) return s;
-            in.fail("a shape without an inside", "a solid to combine with others");
-        },
-        read_shape(in, depth + 1));
+    const shape s = read_shape(in, depth + 1);
+    const auto* any = std::get_if<any_shape>(&s);
+    if (!any || !any->solid()) in.fail("a shape without an inside", "a solid to combine with others");
+    return *any->solid();
 }
 
 std::vector<any_solid> read_solids(tokens& in, int depth, std::string_view what) {
@@ -97,30 +97,12 @@ std::optional<transform> read_transforms(tokens& in) {
     return map;
 }
 
-/// The shape under a map; still a solid if it is one, and an area light if it can be one.
-shape transformed(const shape& bare, const transform& map) {
-    return std::visit(
-        [&]<class Shape>(const Shape& s) -> shape {
-            using any = any_of<Shape>;
-            any image = raio::transformed(any(s), map);
-            if constexpr (with_sampler<Shape>) {
-                const auto sampler = [s, map]() -> std::shared_ptr<const surface_sampler> {
-                    const auto of_bare = sampler_of(s);
-                    return of_bare ? std::make_shared<const mapped_sampler>(of_bare, map) : nullptr;
-                };
-                return sampled<any>(std::move(image), sampler);
-            } else {
-                return image;
-            }
-        },
-        bare);
-}
-
 shape read_shape_under(const std::optional<transform>& map, tokens& in, int depth) {
     static const shape_readings shapes = all_shapes();
     static const std::string otherwise = joined({"; or a transform: ", names_of(transforms)});
     const shape bare = choose(in, shapes, "a shape", otherwise)(in, depth);
-    return map ? transformed(bare, *map) : bare;
+    if (!map) return bare;
+    return std::visit([&](const auto& s) { return any_shape(s).under(*map); }, bare);
 }
 
 shape read_shape(tokens& in, int depth) {

@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <variant>
 
+#include <raio/shape/box.hpp>
+
 #include "reading.hpp"
 
 /// \file
@@ -27,35 +29,6 @@ void expect_not_too_deep(tokens& in, int depth);
 
 /// A box that is more than a face.
 raio::box<number> read_clip(tokens& in, std::string_view of);
-
-/// What a shape is kept as that is not known before the scene is read.
-template <class Shape>
-using any_of = std::conditional_t<raio::solid<Shape>, raio::any_solid<number>, raio::any_primitive<number>>;
-
-/// The shape as what it can do.
-template <class Shape>
-shape erased(const Shape& s) {
-    if constexpr (raio::sampleable<Shape>) {
-        return sampled<any_of<Shape>>(s, [s] { return sampler_of(s); });
-    } else {
-        return any_of<Shape>(s);
-    }
-}
-
-template <class Shape, class Variant>
-constexpr bool is_one_of = false;
-template <class Shape, class... Shapes>
-constexpr bool is_one_of<Shape, std::variant<Shapes...>> = (std::same_as<Shape, Shapes> || ...);
-
-/// Shapes that only some scenes have are kept as what they can do.
-template <class Shape>
-shape kept(Shape s) {
-    if constexpr (is_one_of<Shape, shape>) {
-        return s;
-    } else {
-        return erased(s);
-    }
-}
 
 // How one field of a shape is read; `name` says which, `of` whose.
 struct point {
@@ -84,7 +57,7 @@ struct lengths {
 /// A shape whose fields stand in the order that raio has them in.
 template <class Shape, class... Fields>
 shape_reading plain(std::string_view name, Fields... fields) {
-    return [=](tokens& in, int) { return kept(Shape{fields(in, name)...}); };
+    return [=](tokens& in, int) { return shape(Shape{fields(in, name)...}); };
 }
 
 /// A shape between two points, which have to differ, and then lengths.
@@ -93,7 +66,7 @@ shape_reading upright(std::string_view name, point low, point high, Lengths... l
     return [=](tokens& in, int) {
         const vec3 base = low(in, name), top = high(in, name);
         if (base == top) in.fail(joined({name, " without height"}), "two points that differ");
-        return kept(Shape{base, top, lengths(in, name)...});
+        return shape(Shape{base, top, lengths(in, name)...});
     };
 }
 

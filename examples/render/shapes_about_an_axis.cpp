@@ -2,6 +2,20 @@
 #include <string>
 #include <tuple>
 
+#include <raio/shape/bezier_curve.hpp>
+#include <raio/shape/capsule.hpp>
+#include <raio/shape/cone.hpp>
+#include <raio/shape/curved_surface_of_revolution.hpp>
+#include <raio/shape/cylinder.hpp>
+#include <raio/shape/ellipsoid.hpp>
+#include <raio/shape/frustum.hpp>
+#include <raio/shape/hyperboloid.hpp>
+#include <raio/shape/paraboloid.hpp>
+#include <raio/shape/round_cone.hpp>
+#include <raio/shape/sphere.hpp>
+#include <raio/shape/surface_of_revolution.hpp>
+#include <raio/shape/two_sheet_hyperboloid.hpp>
+
 #include "shape_readings.hpp"
 
 namespace render {
@@ -26,7 +40,7 @@ shape read_bezier_curve(tokens& in, int) {
     const auto radii = numbers<4>(in, "the radii of a Bezier curve", not_negative);
     if (radii == std::array<number, 4>{}) in.fail("radii that are all 0", "one above 0 at least");
     std::tie(curve.r0, curve.r1, curve.r2, curve.r3) = std::tuple_cat(radii);
-    return kept(curve);
+    return curve;
 }
 
 template <std::size_t Degree>
@@ -46,7 +60,7 @@ shape read_surface_of_revolution(tokens& in, int) {
             in.fail("a profile that sweeps no area", "points that are not all on the axis");
         }
     }
-    return kept(std::move(surface));
+    return std::move(surface);
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ world::world(render::scene scene) : scene_(std::move(scene)) {
         auto& members = (index < tree_size_ ? finite : endless_).members;
         std::visit([&]<class Shape>(const Shape& s) { std::get<std::vector<Shape>>(members).push_back(s); }, o.shape);
         if (!shines(scene_.materials[o.material])) continue;
-        auto surface = std::visit([](const auto& s) { return sampler_of(s); }, o.shape);
+        const auto* any = std::get_if<any_shape>(&o.shape);
+        auto surface = any ? any->sampler() : sampler_of(std::get<raio::triangle<number>>(o.shape));
         if (surface) emitters_.push_back({index, std::move(surface)});
     }
     tree_ = raio::bvh(finite);

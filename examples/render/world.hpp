@@ -5,6 +5,9 @@
 #include <span>
 #include <vector>
 
+#include <raio/bvh/bvh.hpp>
+#include <raio/compose/group.hpp>
+
 #include "scene.hpp"
 
 namespace render {

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include <doctest/doctest.h>
+#include <raio/shape/sphere.hpp>
 #include <render/mesh.hpp>
 #include <render/world.hpp>
 
@@ -112,7 +113,7 @@ TEST_CASE("a mesh is one object of the file and as many of the scene as it has t
     const auto& triangle = std::get<raio::triangle<number>>(s.objects[1].shape);
     CHECK(triangle.a == vec3(10, 0, 0));
     CHECK(triangle.b == vec3(12, 2, 0));
-    CHECK(std::holds_alternative<raio::sphere<number>>(s.objects[2].shape));
+    CHECK(std::get<any_shape>(s.objects[2].shape).as<raio::sphere<number>>());
 
     const world world(s);
     hit_record rec;

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include <raio/raio.hpp>
 #include <render/renderer.hpp>
 
 /// \file

@@ -3,13 +3,16 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <typeinfo>
 #include <utility>
 
-#include <raio/raio.hpp>
+#include <raio/compose/any_primitive.hpp>
+#include <raio/compose/transformed.hpp>
+#include <raio/surface_sample.hpp>
 
 /// \file
-/// Shapes that have an area and are kept as what they can do: `raio::any_primitive` and `raio::any_solid` forget how
-/// points are chosen on them, which area lights need.
+/// Shapes as what they can do: be hit, be combined if they are solids, and be sampled, which area lights need.
 
 namespace render {
 
@@ -64,37 +67,74 @@ private:
     double volume_;  ///< of what the unit cube becomes, negative if it is mirrored
 };
 
-/// `Any` is `raio::any_primitive` or `raio::any_solid`, and `make` makes what chooses points on it, for which few
-/// shapes are asked.
-template <class Any>
-class sampled : public Any {
-public:
-    using maker = std::function<std::shared_ptr<const surface_sampler>()>;
-
-    sampled(Any shape, maker make) : Any(std::move(shape)), make_(std::move(make)) {}
-
-    std::shared_ptr<const surface_sampler> sampler() const { return make_(); }
-
-private:
-    maker make_;
-};
-
-/// Can points be chosen on shapes of this type?
-template <class Shape>
-concept with_sampler = raio::sampleable<Shape> || requires(const Shape s) {
-    s.sampler();
-};
-
 /// What chooses points on a shape; nothing where none can be chosen, or where it has no area.
 template <class Shape>
 std::shared_ptr<const surface_sampler> sampler_of(const Shape& s) {
     if constexpr (raio::sampleable<Shape>) {
         const double area = s.area();
         if (area > 0 && area < raio::infinity<double>) return std::make_shared<const even_sampler<Shape>>(s, area);
-    } else if constexpr (with_sampler<Shape>) {
-        return s.sampler();
     }
     return nullptr;
 }
+
+/// A shape that is known once the scene is read, as what it can do. Each type of shape is compiled here and nowhere
+/// else.
+class any_shape : public raio::any_primitive<double> {
+public:
+    template <raio::primitive Shape>
+    requires(!std::derived_from<Shape, raio::any_primitive<double>>) any_shape(Shape s)
+        : any_shape(std::make_shared<const Shape>(std::move(s))) {}
+    any_shape(raio::any_solid<double> solid) : raio::any_primitive<double>(solid), solid_(std::move(solid)) {}
+
+    /// The solid that it is; nothing where it has no inside.
+    const std::optional<raio::any_solid<double>>& solid() const { return solid_; }
+
+    /// The shape itself, if it is of that type and not transformed.
+    template <class Shape>
+    const Shape* as() const {
+        return type_ && *type_ == typeid(Shape) ? static_cast<const Shape*>(shape_.get()) : nullptr;
+    }
+
+    /// What chooses points on it. (Few shapes are asked.)
+    std::shared_ptr<const surface_sampler> sampler() const { return make_sampler_ ? make_sampler_() : nullptr; }
+
+    /// The shape under a map; still a solid if it is one, and an area light if it can be one.
+    any_shape under(const raio::transform<double>& map) const {
+        any_shape image = solid_ ? any_shape(raio::any_solid<double>(raio::transformed(*solid_, map)))
+                                 : any_shape(raio::any_primitive<double>(raio::transformed(surface(), map)));
+        if (make_sampler_) {
+            image.make_sampler_ = [make = make_sampler_, map]() -> std::shared_ptr<const surface_sampler> {
+                const auto of_this = make();
+                return of_this ? std::make_shared<const mapped_sampler>(of_this, map) : nullptr;
+            };
+        }
+        return image;
+    }
+
+private:
+    template <class Shape>
+    static auto erased(const Shape& s) {
+        if constexpr (raio::solid<Shape>) {
+            return raio::any_solid<double>(s);
+        } else {
+            return raio::any_primitive<double>(s);
+        }
+    }
+
+    explicit any_shape(raio::any_primitive<double> surface) : raio::any_primitive<double>(std::move(surface)) {}
+    template <class Shape>
+    explicit any_shape(const std::shared_ptr<const Shape>& s) : any_shape(erased(*s)) {
+        shape_ = s;
+        type_ = &typeid(Shape);
+        if constexpr (raio::sampleable<Shape>) make_sampler_ = [s] { return sampler_of(*s); };
+    }
+
+    const raio::any_primitive<double>& surface() const { return *this; }
+
+    std::optional<raio::any_solid<double>> solid_;
+    std::shared_ptr<const void> shape_;
+    const std::type_info* type_ = nullptr;
+    std::function<std::shared_ptr<const surface_sampler>()> make_sampler_;
+};
 
 }  // namespace render
