@@ -13,7 +13,7 @@
 #include <raio/bvh/presplit.hpp>
 #include <raio/failure.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// What a tree is made of: the nodes, and the shapes in their leaves. It is made of as many sources as there are types
 /// of shapes, each of which has a size and shapes by their numbers.
@@ -269,6 +269,6 @@ private:
     bvh_options options_;
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

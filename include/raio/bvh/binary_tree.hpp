@@ -10,7 +10,7 @@
 #include <raio/bvh/large_pages.hpp>
 #include <raio/bvh/parallel.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// A node of the tree that the builders make, of two children each, which stand side by side and behind their parent.
 /// All beside the box stands in the room that a box has for it.
@@ -122,6 +122,6 @@ void grow_branches(binary_tree& tree, std::span<const binary_node> top, std::spa
     for (std::size_t i = top.size(); i-- > 0;) unite_children(tree.nodes, i);
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -10,7 +10,7 @@
 #include <raio/compose/group.hpp>
 #include <raio/compose/mesh.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI::inline RAIO_REGISTERS {
 
 /// A bounding volume hierarchy: many shapes, of one type or of several, that a ray asks only where it comes close.
 ///
@@ -335,6 +335,6 @@ bvh(const mesh<T>&, const bvh_options& = {}) -> bvh<triangle<T>>;
 template <class... Members>
 bvh(const group<Members...>&, const bvh_options& = {}) -> bvh<typename detail::primitive_of<Members>::type...>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -13,7 +13,7 @@
 /// gives other bits with other flags. Here a product stands alone: every compiler, at every optimisation level, on the
 /// processor and on the graphics card, gives the same bits.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -103,7 +103,7 @@ private:
     double value_;
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 template <>
 class std::numeric_limits<raio::strict_double> : public std::numeric_limits<double> {};
