@@ -30,6 +30,7 @@ struct binary_node {
     bool is_leaf() const { return (box.note() & leaf_bit) != 0; }
     std::uint32_t first() const { return box.id(); }           ///< of both children, or of a leaf's references
     std::uint32_t count() const { return box.note() & many; }  ///< of references below; no more than `many` are told
+    bool tells_count() const { return count() != many; }
     std::uint32_t kind() const { return box.note() >> kind_shift & mixed; }  ///< what type they are, or `mixed`
 
     void unite(const binary_node& a, const binary_node& b) {
