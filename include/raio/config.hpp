@@ -50,7 +50,8 @@
 
 // The answers are exact because every operation is rounded as IEEE 754 says; -ffast-math takes that back without a
 // word, and so does each of its parts that says so here. (Clang shows -fassociative-math and -freciprocal-math only as
-// an FLT_EVAL_METHOD of -1, from version 15 on.)
+// an FLT_EVAL_METHOD of -1, from version 15 on. Version 14 would give itself away when the program runs; but to look
+// there, each file of each program that includes raio would need code that runs before main.)
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
     (defined(__clang__) && defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ < 0)
