@@ -91,9 +91,10 @@
 #define RAIO_ABI RAIO_EXPANDED_ABI(RAIO_VERSION_MAJOR, RAIO_VERSION_MINOR, RAIO_VECTORS, RAIO_ROUNDING, RAIO_FAILURES)
 
 // What packs, and the trees that are made of them, depend on as well: whether there is xsimd, and the registers that it
-// knows. Headers of packs and trees open `inline RAIO_REGISTERS` within the other.
+// knows. Headers of packs and trees open `inline RAIO_REGISTERS` within the other. (The NEON of 32-bit ARM is not used:
+// it takes subnormal numbers for 0, and has no doubles.)
 #if __has_include(<xsimd/xsimd.hpp>) && !defined(__CUDACC__) && !defined(RAIO_WITHOUT_XSIMD) && \
-    (defined(__SSE2__) || defined(_M_X64) || defined(__ARM_NEON))
+    (defined(__SSE2__) || defined(_M_X64) || (defined(__ARM_NEON) && defined(__aarch64__)))
 #define RAIO_HAS_XSIMD 1
 #else
 #define RAIO_HAS_XSIMD 0

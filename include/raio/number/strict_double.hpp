@@ -27,8 +27,10 @@ RAIO_FN constexpr double rounded_product(double a, double b) {
     // To the optimiser the product may have changed here, so it cannot be fused with the addition that follows.
 #if defined(__GNUC__) && (defined(__FMA__) || defined(__FMA4__))
     asm("" : "+v"(product));
-#elif defined(__GNUC__) && defined(__aarch64__)
+#elif defined(__GNUC__) && (defined(__aarch64__) || defined(__ARM_FEATURE_FMA))
     asm("" : "+w"(product));
+#elif defined(__GNUC__) && defined(__FP_FAST_FMA)  // of other processors, through memory
+    asm("" : "+m"(product));
 #endif
     return product;
 #endif
