@@ -47,7 +47,7 @@ public:
         }
     }
 
-    std::size_t below(std::size_t end) { return static_cast<std::size_t>(engine_() % end); }
+    std::size_t below(std::size_t end) { return engine_() % end; }
 
 private:
     std::mt19937_64 engine_{20240607};
@@ -159,7 +159,7 @@ void measure(benchmark::State& state, const trials_of<Shape>& trials) {
     const T t_min = from, t_max = to;  // not known when the call is compiled
     typename Contender::result result{};
     std::size_t hits = 0;
-    for (const auto& [asked, ray] : own) hits += asked(ray, t_min, t_max, result) ? 1 : 0;
+    for (const auto& [asked, ray] : own) hits += asked(ray, t_min, t_max, result) ? 1u : 0u;
 
     generator random;
     for (auto _ : state) {

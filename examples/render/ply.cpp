@@ -124,7 +124,7 @@ private:
         const double count = in.expect_number("the count of an element", not_negative);
         // Every item takes a byte at least.
         if (count != std::floor(count) || count > static_cast<double>(rest_.size())) {
-            in.fail("a count of " + std::string(printable(e.name, 40)) + " that the file has no room for",
+            in.fail("a count of " + printable(e.name, 40) + " that the file has no room for",
                     "at most " + std::to_string(rest_.size()));
         }
         e.count = static_cast<std::size_t>(count);

@@ -4,7 +4,7 @@
 
 #include <raio/math/vec.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// An axis-aligned bounding box: all points with `min <= point <= max` in every coordinate. Without points when it is
 /// new.
@@ -117,6 +117,6 @@ RAIO_FN constexpr aabb<T> unbounded() {
     return {vec3<T>(-infinity<T>), vec3<T>(infinity<T>)};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

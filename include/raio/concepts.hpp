@@ -7,7 +7,7 @@
 /// \file
 /// What can be asked of a shape. Whatever answers is a primitive, whether it is one triangle or a tree of them.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The number type of a shape: that of the corner of its bounds, for all that have bounds.
 template <class P>
@@ -186,6 +186,6 @@ RAIO_FN constexpr mask_t<number_t<P>> contains(const P& shape, const vec3<number
     return detail::spans_of(shape, ray<T>{point, direction}).contains(T(0));
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

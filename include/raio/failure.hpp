@@ -7,7 +7,7 @@
 
 #include <raio/config.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Called with the message where something is refused and the program is compiled without exceptions. It ends the
 /// program; whoever wants to do that otherwise assigns a function of his own, which must not come back.
@@ -31,6 +31,6 @@ template <class Exception>
 
 }  // namespace detail
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -8,7 +8,7 @@
 #include <raio/aabb.hpp>
 #include <raio/ray.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Everything about the place where a ray met a shape. It has no values until something is hit.
 ///
@@ -177,6 +177,6 @@ RAIO_FN constexpr ray<T> spawn_ray(const hit_record<T>& rec, const vec3<T>& dire
     return {{moved(rec.point.x, n.x), moved(rec.point.y, n.y), moved(rec.point.z, n.z)}, direction};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

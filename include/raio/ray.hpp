@@ -4,7 +4,7 @@
 
 #include <raio/math/vec.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The points `origin + t * direction`.
 template <real T>
@@ -27,6 +27,6 @@ struct timed_ray : ray<T> {
     T time;
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -4,7 +4,7 @@
 
 #include <raio/math/vec.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A point that was chosen on a surface, every piece of the area as likely as any other of the same size.
 template <real T>
@@ -13,6 +13,6 @@ struct surface_sample {
     vec3<T> normal;  ///< unit, outward
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -89,7 +89,7 @@ TEST_CASE("morton_builder: what fills a few leaves is cut where they are full") 
         const binary_tree tree = built(references, 8, 1);
         check_tree(tree, references, {one_kind}, 8);
         std::size_t leaves = 0;
-        for (const detail::binary_node& node : tree.nodes) leaves += node.is_leaf() ? 1 : 0;
+        for (const detail::binary_node& node : tree.nodes) leaves += node.is_leaf() ? 1u : 0u;
         CHECK(leaves == (count + 7) / 8);
         const detail::binary_node& left = tree.nodes[tree.nodes[0].first()];
         CHECK(left.count() % 8 == 0);

@@ -50,7 +50,7 @@ void check_from_eight_threads(const Scene& scene, random_numbers& random) {
             all.emplace_back([&, thread] {
                 for (std::size_t i = 0; i < questions.size(); ++i) {
                     const std::size_t j = (i + thread * questions.size() / threads) % questions.size();
-                    same[thread] += answer<T>(scene, questions[j]) == expected[j] ? 1 : 0;
+                    same[thread] += answer<T>(scene, questions[j]) == expected[j] ? 1u : 0u;
                 }
             });
         }

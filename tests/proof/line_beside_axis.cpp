@@ -23,15 +23,15 @@ interval<oracle> distances(const ray<double>& ray, const vec3<double>& base, con
         if (rise == 0) {
             if (is_low ? above > 0 : above < 0) return {};
         } else if (is_low == (rise > 0)) {
-            within.min = max(within.min, oracle(above / rise));
+            within.min = max(within.min, above / rise);
         } else {
-            within.max = min(within.max, oracle(above / rise));
+            within.max = min(within.max, above / rise);
         }
     }
     if (within.empty()) return {};
     const vec3<oracle> across = cross(from, a), step = cross(d, a);
-    const oracle nearest = quotient(oracle(-dot(across, step)), dot(step, step), oracle(0));
-    const auto distance = [&](const oracle& t) { return length(vec3<oracle>(across + step * t)) / sqrt(a2); };
+    const oracle nearest = quotient(-dot(across, step), dot(step, step), oracle(0));
+    const auto distance = [&](const oracle& t) { return length(across + step * t) / sqrt(a2); };
     return {distance(min(max(nearest, within.min), within.max)), max(distance(within.min), distance(within.max))};
 }
 

@@ -292,7 +292,7 @@ TEST_CASE("curved surface of revolution: as many straight segments") {
             hit_record<double> rec{}, expected{};
             const bool hit = curved.hit(r, 0, infinity<double>, rec);
             const bool expected_hit = straight.hit(r, 0, infinity<double>, expected);
-            const double size = length(vec3<double>(curved.bounds().max - curved.bounds().min));
+            const double size = length(curved.bounds().max - curved.bounds().min);
             const bool same_place = hit && expected_hit && length(rec.point - expected.point) < 1e-3 * size;
             hits += hit;
             other += hit != expected_hit || (hit && !same_place);  // at a silhouette, or at the end of a profile

@@ -419,7 +419,7 @@ void check_accuracy(int rays, double excusable_doubles = 1e-3, double ordinary_u
 inline oracle away(const std::vector<crossing<oracle>>& exact, const oracle& t) {
     oracle least = infinity<oracle>;
     for (const crossing<oracle>& c : exact) {
-        if (c.exists) least = min(least, t == c.t ? oracle(0) : oracle(abs(t - c.t)));
+        if (c.exists) least = min(least, t == c.t ? oracle(0) : abs(t - c.t));
     }
     return least;
 }

@@ -48,14 +48,14 @@ vec3<double> grazed_point(const Shape& s, const vec3<double>& from, const vec3<d
 /// To the surface f = 0, to first order, which is all of it near the surface; f itself where it has no gradient.
 inline oracle distance_by_gradient(const oracle& f, const vec3<oracle>& gradient) {
     const oracle steep = length(gradient);
-    return steep > 0 ? oracle(f / steep) : f;
+    return steep > 0 ? f / steep : f;
 }
 
 /// To the faces of a box, below 0 inside.
 inline oracle distance_to_box(const vec3<oracle>& low, const vec3<oracle>& high, const vec3<oracle>& p) {
     oracle most = -infinity<oracle>;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
-        most = max(most, oracle(max(oracle(low[axis] - p[axis]), oracle(p[axis] - high[axis]))));
+        most = max(most, max(low[axis] - p[axis], p[axis] - high[axis]));
     }
     return most;
 }

@@ -7,13 +7,14 @@
 #include <string>
 
 #include <raio/bvh/build.hpp>
+#include <raio/bvh/equal_shapes.hpp>
 #include <raio/bvh/leaf_kinds.hpp>
 #include <raio/bvh/morton.hpp>
 #include <raio/bvh/options.hpp>
 #include <raio/bvh/presplit.hpp>
 #include <raio/failure.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// What a tree is made of: the nodes, and the shapes in their leaves. It is made of as many sources as there are types
 /// of shapes, each of which has a size and shapes by their numbers.
@@ -29,17 +30,23 @@ public:
     T scale = 1;     ///< of the nodes' boxes: a power of two that brings them near 1, if they are far from it
     float size = 0;  ///< the largest coordinate of these
     double cost = 0;
+    std::array<equal_shapes, sizeof...(Shapes)> equals;  ///< of each kind
 
     template <class Sources>
     void build(const Sources& shapes, const bvh_options& options) {
         options_ = options;
         const unsigned threads = thread_count(options.threads);
         build_box centers;
-        large_vector<build_box> references = find_references(shapes, threads, centers), pieces;
-        if (options.quality == bvh_quality::high && references.size() <= most_shapes / 2) {
-            pieces = presplit(references, 0.5f, threads, [&](std::uint32_t id) { return corners_of(shapes, id); });
-        }
-        trees made = make_trees(references, centers, options.quality, threads);
+        large_vector<build_box> pieces;
+        trees made;
+        do {
+            large_vector<build_box> references = find_references(shapes, threads, centers);
+            for (const equal_shapes& own : equals) own.leave_out_of(references);
+            if (options.quality == bvh_quality::high && references.size() <= most_shapes / 2) {
+                pieces = presplit(references, 0.5f, threads, [&](std::uint32_t id) { return corners_of(shapes, id); });
+            }
+            made = make_trees(references, centers, options.quality, threads);
+        } while (find_equals(shapes, made.binary));
         if (!pieces.empty()) {
             // Pieces pay where shapes are large and lie across each other; elsewhere they are more to go through.
             trees of_pieces = make_trees(pieces, centers_of(pieces), options.quality, threads);
@@ -65,7 +72,7 @@ public:
         const large_vector<build_box> references =
             moved.find_references(shapes, thread_count(options_.threads), centers);
         // What was left out, or would have to be, has no place in the tree that is there.
-        if (references.size() != count || placed_ != count || moved.scale != scale) {
+        if (references.size() != count || placed_ != count || moved.scale != scale || !equals_hold(shapes)) {
             moved.build(shapes, options_);
             *this = std::move(moved);
             return;
@@ -86,6 +93,7 @@ public:
 
     std::size_t bytes() const {
         std::size_t sum = nodes.size() * sizeof(wide_node);
+        for (const equal_shapes& own : equals) sum += own.bytes();
         std::apply([&](const auto&... l) { ((sum += l.bytes()), ...); }, leaves.all);
         return sum;
     }
@@ -113,6 +121,44 @@ private:
         return made;
     }
 
+    /// Looks for many equal shapes in one place, unless that has been done. (A few are less to go through than to keep
+    /// apart.)
+    template <class Sources>
+    bool find_equals(const Sources& shapes, const binary_tree& tree) {
+        if (!std::ranges::all_of(equals, &equal_shapes::empty)) return false;
+        const std::vector<std::uint32_t> crowds = crowds_of(tree, 64);
+        if (crowds.empty()) return false;
+        for_each_kind([&](auto kind) {
+            std::vector<std::uint32_t> ids;
+            std::ranges::copy_if(crowds, std::back_inserter(ids),
+                                 [&](std::uint32_t id) { return kinds{first_id_}(id) == kind(); });
+            if constexpr (comparable<shape_of_kind<kind()>>) equals[kind()].find(std::move(ids), by_id<kind()>(shapes));
+        });
+        return !std::ranges::all_of(equals, &equal_shapes::empty);
+    }
+
+    template <class Sources>
+    bool equals_hold(const Sources& shapes) const {
+        bool hold = true;
+        for_each_kind([&](auto kind) {
+            if constexpr (comparable<shape_of_kind<kind()>>) {
+                hold = hold && equals[kind()].hold(by_id<kind()>(shapes));
+            }
+        });
+        return hold;
+    }
+
+    template <std::size_t Kind>
+    using shape_of_kind = std::tuple_element_t<Kind, std::tuple<Shapes...>>;
+
+    /// The shape of an id.
+    template <std::size_t Kind, class Sources>
+    auto by_id(const Sources& shapes) const {
+        return [&source = std::get<Kind>(shapes), first = first_id_[Kind]](std::uint32_t id) -> decltype(auto) {
+            return source[id - first];
+        };
+    }
+
     template <class Visit>
     static void for_each_kind(Visit visit) {
         [&]<std::size_t... I>(std::index_sequence<I...>) { (visit(std::integral_constant<std::size_t, I>{}), ...); }
@@ -124,10 +170,9 @@ private:
     std::optional<corners> corners_of(const Sources& shapes, std::uint32_t id) const {
         std::optional<corners> found;
         for_each_kind([&](auto kind) {
-            using shape = std::tuple_element_t<kind(), std::tuple<Shapes...>>;
-            if constexpr (three_cornered<shape>) {
+            if constexpr (three_cornered<shape_of_kind<kind()>>) {
                 if (kind() != kinds{first_id_}(id)) return;
-                const shape s = std::get<kind()>(shapes)[id - first_id_[kind()]];
+                const shape_of_kind<kind()> s = by_id<kind()>(shapes)(id);
                 found = {vec3<double>(s.a * scale), vec3<double>(s.b * scale), vec3<double>(s.c * scale)};
             }
         });
@@ -269,6 +314,6 @@ private:
     bvh_options options_;
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -10,7 +10,7 @@
 #include <raio/bvh/large_pages.hpp>
 #include <raio/bvh/parallel.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// A node of the tree that the builders make, of two children each, which stand side by side and behind their parent.
 /// All beside the box stands in the room that a box has for it.
@@ -30,6 +30,7 @@ struct binary_node {
     bool is_leaf() const { return (box.note() & leaf_bit) != 0; }
     std::uint32_t first() const { return box.id(); }           ///< of both children, or of a leaf's references
     std::uint32_t count() const { return box.note() & many; }  ///< of references below; no more than `many` are told
+    bool tells_count() const { return count() != many; }
     std::uint32_t kind() const { return box.note() >> kind_shift & mixed; }  ///< what type they are, or `mixed`
 
     void unite(const binary_node& a, const binary_node& b) {
@@ -122,6 +123,6 @@ void grow_branches(binary_tree& tree, std::span<const binary_node> top, std::spa
     for (std::size_t i = top.size(); i-- > 0;) unite_children(tree.nodes, i);
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -10,7 +10,7 @@
 /// Where to cut a set of boxes in two: between two of the bins that their centres fall into, where the surface area
 /// heuristic is smallest (Wald, On fast construction of SAH-based bounding volume hierarchies, 2007).
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 inline constexpr int bin_count = 16;
 
@@ -122,6 +122,6 @@ struct bins {
     }
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -11,7 +11,7 @@
 /// parts of all of them; what has become small is a task of its own. How the work is cut depends on the boxes only, so
 /// the tree does too.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 struct build_limits {
     std::uint32_t leaf = 1;     ///< a leaf holds at most that many references, a power of two
@@ -245,6 +245,6 @@ private:
     binary_tree tree_;
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

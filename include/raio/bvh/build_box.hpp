@@ -11,7 +11,7 @@
 #include <raio/aabb.hpp>
 #include <raio/number/simd.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// A box as the builders keep it: eight floats, the low corner and minus the high one, so that the hull of two boxes is
 /// the smaller of each pair of numbers, in one instruction where there are eight lanes. After each corner there is room
@@ -92,6 +92,6 @@ build_box to_build_box(const aabb<T>& box, std::uint32_t id = 0) {
     return b;
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

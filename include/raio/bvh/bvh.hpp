@@ -10,7 +10,7 @@
 #include <raio/compose/group.hpp>
 #include <raio/compose/mesh.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI::inline RAIO_REGISTERS {
 
 /// A bounding volume hierarchy: many shapes, of one type or of several, that a ray asks only where it comes close.
 ///
@@ -21,7 +21,7 @@ namespace raio {
 /// the first. `hit_record::index` counts the shapes in the order in which they were given. The tree has as many
 /// children a node as the processor's registers have lanes, and its leaves are shapes in packs, eight together or, of
 /// those that take longer to test, one; they filter, and the plain shapes decide. So boxes, tree and packs make it fast
-/// and nothing else.
+/// and nothing else. Of many equal shapes in one place the first is asked for all of them.
 ///
 /// The shapes are copied, but for those of a `bvh<mesh_triangle<T>>`. Every shape must have finite bounds; shapes
 /// without any point are left out.
@@ -180,7 +180,7 @@ public:
     bool occluded(const ray<T>& ray, T t_min, T t_max, Accept accept) const {
         bool found = false;
         visit_leaves<true>(ray, t_min, t_max, [&](auto kind, std::uint32_t block) {
-            for_each_lane<kind()>(block, ray, t_min, t_max, [&](const auto& shape, std::uint32_t id) {
+            for_each_shape<kind()>(block, ray, t_min, t_max, [&](const auto& shape, std::uint32_t id) {
                 detail::for_each_crossing(shape, ray, t_min, t_max, id, [&](const hit_record<T>& rec) {
                     found = accept(rec);
                     return !found;
@@ -267,11 +267,20 @@ private:
         }
     }
 
+    /// The same, and with those for which they stand.
+    template <std::size_t Kind, class Ray, class Visit>
+    void for_each_shape(std::uint32_t block, const Ray& ray, T t_min, T t_max, Visit visit) const {
+        for_each_lane<Kind>(block, ray, t_min, t_max, [&](const auto& shape, std::uint32_t id) {
+            return visit(shape, id) &&
+                   tree_.equals[Kind].for_each_equal(id, [&](std::uint32_t equal) { return visit(shape, equal); });
+        });
+    }
+
     template <class Hits, class Accept>
     void collect(const ray<T>& ray, T t_min, T t_max, Hits& hits, Accept accept) const {
         T far = t_max;
         visit_leaves<false>(ray, t_min, far, [&](auto kind, std::uint32_t block) {
-            for_each_lane<kind()>(block, ray, t_min, far, [&](const auto& shape, std::uint32_t id) {
+            for_each_shape<kind()>(block, ray, t_min, far, [&](const auto& shape, std::uint32_t id) {
                 detail::for_each_crossing(shape, ray, t_min, far, id, [&](const hit_record<T>& rec) {
                     if (accept(rec)) hits.add(rec);
                     far = hits.farthest();
@@ -335,6 +344,6 @@ bvh(const mesh<T>&, const bvh_options& = {}) -> bvh<triangle<T>>;
 template <class... Members>
 bvh(const group<Members...>&, const bvh_options& = {}) -> bvh<typename detail::primitive_of<Members>::type...>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -20,7 +20,7 @@
 ///
 /// where memory(n) keeps trees whose leaves are single shapes from nodes that are all but empty.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// The references that make a leaf.
 struct leaf_range {
@@ -266,6 +266,6 @@ private:
     wide_tree wide_;
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

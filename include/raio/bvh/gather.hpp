@@ -11,7 +11,7 @@
 /// \file
 /// N shapes in one shape of packs, which stand in the leaves of a tree.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// What a shape says of its crossings: one, a chord, or two.
 template <class Found, class W>
@@ -98,6 +98,6 @@ struct find_gathered<Shape, N> {
 template <gatherable Shape, std::size_t N>
 using gathered = typename find_gathered<Shape, N>::type;
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

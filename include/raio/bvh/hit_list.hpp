@@ -11,7 +11,7 @@
 /// \file
 /// Crossings in order along the ray: the nearest few, or all. Of equally near ones the lowest index comes first.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 template <class T>
 bool comes_before(const hit_record<T>& a, const hit_record<T>& b) {
@@ -80,6 +80,6 @@ void for_each_crossing(const Shape& shape, const ray<T>& ray, T t_min, T t_max, 
     }
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -14,7 +14,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// Allocates in cache lines, and what is large in the largest pages that the system grants: there are not so many of
 /// these that the processor forgets where they are before a ray comes by again.
@@ -57,6 +57,6 @@ struct large_pages {
 template <class Value>
 using large_vector = std::vector<Value, large_pages<Value>>;
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

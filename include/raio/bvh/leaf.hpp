@@ -15,7 +15,7 @@
 /// Shapes that fit in packs stand in blocks, and a block is tested together, in the precision of the pack. Its
 /// crossings state their errors: so the answer of a lane is a fact, or it is open, and then the plain shape is asked.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 template <real T>
 struct sphere;
@@ -24,7 +24,9 @@ struct box;
 template <real T>
 struct parallelogram;
 
-namespace detail {
+}  // namespace raio::inline RAIO_ABI
+
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// Are eight shapes tested about as fast as the boxes of a node?
 template <class Shape>
@@ -193,8 +195,6 @@ private:
 template <class Shape>
 using leaves_of = std::conditional_t<gatherable<Shape>, leaf_blocks<Shape>, leaf_list<Shape>>;
 
-}  // namespace detail
-
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -6,7 +6,7 @@
 
 #include <raio/bvh/leaf.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// Where a shape stands: in which lane of which block of which kind of leaves.
 struct place_in_leaves {
@@ -94,6 +94,6 @@ private:
     }
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -11,7 +11,7 @@
 /// 2009). What fills a few leaves only is cut where leaves are full, next to that place: most of the time of such a
 /// build goes into writing them.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 class morton_builder {
 public:
@@ -192,6 +192,6 @@ private:
     binary_tree tree_;
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -4,7 +4,7 @@
 
 #include <raio/bvh/leaf_kinds.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// The nearest of all shapes that have been seen so far.
 ///
@@ -149,6 +149,6 @@ private:
     Record& rec_;  ///< of the nearest, if that is exact
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -5,7 +5,7 @@
 #include <raio/bvh/nearest.hpp>
 #include <raio/bvh/ray_bundle.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// For each ray of a bundle the nearest of all shapes that have been seen so far.
 ///
@@ -141,6 +141,6 @@ private:
     std::array<std::optional<query>, ray_bundle::most> queries_;
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -4,7 +4,7 @@
 
 #include <raio/config.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// How much time goes into a tree, and how much of it comes back with every ray.
 enum class bvh_quality {
@@ -18,6 +18,6 @@ struct bvh_options {
     unsigned threads = 0;  ///< how many build it; 0: as many as the machine has. The tree is the same for any number
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

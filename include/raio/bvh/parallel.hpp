@@ -17,7 +17,7 @@
 #include <thread>
 #endif
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 #if defined(__STDCPP_THREADS__) && !defined(RAIO_NO_THREADS)
 
@@ -105,6 +105,6 @@ inline part part_of(std::size_t i, std::size_t size, std::size_t total) {
 /// How many parts these are.
 inline std::size_t parts_of(std::size_t size, std::size_t total) { return (total + size - 1) / size; }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -14,7 +14,7 @@
 /// Triangles whose boxes are mostly empty are cut to pieces before the tree is built, each piece with a box of its own
 /// (Karras and Aila, Fast parallel construction of high-quality bounding volume hierarchies, 2013, section 4.3).
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// The corners, in the scale of the boxes.
 using corners = std::array<vec3<double>, 3>;
@@ -148,6 +148,6 @@ large_vector<build_box> presplit(std::span<const build_box> references, float bu
     return all;
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -8,7 +8,7 @@
 #include <raio/bvh/wide_node.hpp>
 #include <raio/proof/lanes.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// The rays of a bundle, in lanes, group after group. Lanes without a ray repeat the last one.
 template <class T>
@@ -171,6 +171,6 @@ private:
     bool is_coherent_ = true;
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -7,7 +7,7 @@
 /// \file
 /// Many rays at once: those that run side by side go through a tree together.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// Calls `answer` with as many rays at a time as go through a tree together, and with the number of the first of them;
 /// puts together what it answers, one bit for each.
@@ -69,6 +69,6 @@ bool visit_leaves_together(const Tree& tree, const rays_in_lanes<T>& lanes, std:
     return true;
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -4,7 +4,7 @@
 
 #include <raio/bvh/ray_bundle.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// No tree is deeper.
 inline constexpr std::size_t deepest = 96;
@@ -155,6 +155,6 @@ void traverse(std::span<const wide_node> nodes, const ray_bundle& bundle, float 
     }
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

@@ -7,7 +7,7 @@
 #include <raio/number/simd.hpp>
 #include <raio/proof/mapped_ray.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// How many children a node has: as many floats as there are in a register.
 inline constexpr std::size_t node_width = std::max<std::size_t>(4, native_lanes<float>);
@@ -172,6 +172,6 @@ private:
     bool fits_;
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

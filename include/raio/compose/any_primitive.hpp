@@ -8,7 +8,7 @@
 #include <raio/math/any_number_of_spans.hpp>
 #include <raio/proof/mapped_ray.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -214,6 +214,6 @@ private:
     const detail::erased_solid<T>& solid() const { return static_cast<const detail::erased_solid<T>&>(*this->shape_); }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -23,7 +23,7 @@
 /// `hit_record::index` counts the leaves of the tree from left to right. Of two leaves that cross at the same t the
 /// left one is recorded.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 enum class set_operation { unite, intersect, subtract };
 
@@ -200,6 +200,6 @@ requires detail::solids_to_compose<A, B> RAIO_FN constexpr auto difference_of(A 
     return csg<set_operation::subtract, A, B>{std::move(a), std::move(b)};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -10,7 +10,7 @@
 #include <raio/math/any_number_of_spans.hpp>
 #include <raio/proof/mapped_ray.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// What a group can hold: a primitive, or a range of primitives of one type.
 template <class Member>
@@ -135,6 +135,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -7,7 +7,7 @@
 #include <raio/concepts.hpp>
 #include <raio/proof/lanes.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A plain primitive for each lane of a pack: so whatever has no shape of packs, as a mesh, a tree, a profile or a
 /// function, takes rays of packs as well. Several lanes may share one.
@@ -52,6 +52,6 @@ in_lanes<P, Shape> in_every_lane(const Shape& shape) {
 template <real P, primitive Shape>
 in_lanes<P, Shape> in_every_lane(const Shape&&) = delete;  // which would not live long enough
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

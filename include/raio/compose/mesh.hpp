@@ -15,7 +15,7 @@
 #include <raio/number/simd.hpp>
 #include <raio/shape/triangle.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Triangles that share their corners: each is three indices of vertices, counter-clockwise from outside.
 ///
@@ -192,7 +192,8 @@ struct mesh_triangle {
         void set(std::size_t lane, const mesh_triangle& shape) { of_ = shape.of, indices_[lane] = shape.index; }
         mesh_triangle get(std::size_t lane) const { return {of_, indices_[lane]}; }
 
-        triangle<pack<T, N>> shapes() const {
+        template <class Numbers = pack<T, N>>
+        triangle<Numbers> shapes() const {
             std::array<std::array<T, N>, 9> numbers;
             for (std::size_t lane = 0; lane < N; ++lane) {
                 const auto& corners = of_->triangles[indices_[lane]];
@@ -201,10 +202,8 @@ struct mesh_triangle {
                 }
             }
             const auto corner = [&](std::size_t k) {
-                using numbers_type = pack<T, N>;
-                return vec3<numbers_type>(numbers_type::load(numbers[k].data()),
-                                          numbers_type::load(numbers[k + 1].data()),
-                                          numbers_type::load(numbers[k + 2].data()));
+                return vec3<Numbers>(Numbers::load(numbers[k].data()), Numbers::load(numbers[k + 1].data()),
+                                     Numbers::load(numbers[k + 2].data()));
             };
             return {corner(0), corner(3), corner(6)};
         }
@@ -215,6 +214,6 @@ struct mesh_triangle {
     };
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

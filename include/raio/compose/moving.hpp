@@ -4,7 +4,7 @@
 
 #include <raio/compose/transformed.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A primitive that moves from one affine map to another while time goes from 0 to 1, each of its points straight and
 /// evenly: what is shot, falls, slides or grows. (Where it turns, by small angles: halfway through half a turn it would
@@ -121,6 +121,6 @@ private:
     bool keeps_shape_;  ///< so that the inverse is known but for the origin
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

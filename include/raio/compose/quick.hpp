@@ -6,7 +6,7 @@
 #include <raio/proof/mapped_ray.hpp>
 #include <raio/surface_sample.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -105,6 +105,6 @@ struct rebind<quick<P>, U> {
 
 }  // namespace detail
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

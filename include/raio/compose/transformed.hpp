@@ -6,7 +6,7 @@
 #include <raio/proof/lanes.hpp>
 #include <raio/proof/mapped_ray.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A primitive under an affine map: turned, moved, scaled unevenly, mirrored.
 ///
@@ -101,6 +101,6 @@ private:
     std::conditional_t<detail::has_lanes<T>, only_map, inverse_map<T>> inverse_;
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

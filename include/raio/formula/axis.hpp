@@ -12,7 +12,7 @@
 /// What the shapes about an axis share: they stand between the two planes across its ends, and their faces are counted
 /// side, base, top.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail {
 
 /// The chord through the slab between two planes across the axis.
 /// \param to_base, to_top  how far each plane is along the axis from the point where t = 0, times the axis' length
@@ -98,6 +98,6 @@ RAIO_FN constexpr aabb<T> axial_bounds(const vec3<T>& base, const vec3<T>& top, 
     return unless_nan(padded(hull(aabb<T>{base - low, base + low}, aabb<T>{top - high, top + high})), radii.x, radii.y);
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail
 
 #include <raio/pop_macros.hpp>

@@ -7,7 +7,7 @@
 /// \file
 /// What a box and the surfaces that a box clips say of a point.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail {
 
 /// Where a point is in a box, in both other coordinates than that of `axis`, in their order: from 0 at `min` to 1 at
 /// `max`. Without an axis, beyond 2, they are x and y.
@@ -35,6 +35,6 @@ RAIO_FN constexpr void clipped_surface(Point& at, const aabb<T>& box, const Inde
     at.record_uv([&] { return uv_across(box, axis, at.point()); });
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail
 
 #include <raio/pop_macros.hpp>

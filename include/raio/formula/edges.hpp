@@ -17,7 +17,7 @@
 /// The signs of det, u, v and of what is left of 1 beside u and v say whether the crossing counts. All are turned with
 /// that of det, and nothing is divided before that is known.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Where a line crosses the plane of two edges, and how far along them: u and v are u / size and v / size of the edges.
 template <class W>
@@ -152,6 +152,6 @@ RAIO_FN constexpr void flat_surface(Point& at, const aabb<T>& corners, Edge edge
     at.record_normal(normal_of_edges<T, W>(edge, at.direction()));
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -5,7 +5,7 @@
 #include <raio/hit_record.hpp>
 #include <raio/proof/chord.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The part of a line behind a plane: from its crossing on, up to it, or all or nothing if it runs parallel.
 /// \param height  of the point where the line has t = 0, times the length of the normal
@@ -38,6 +38,6 @@ RAIO_FN constexpr chord<W> cross_between(const bounded_number<W>& to_low, const 
     return unless_parallel(is_parallel, c, every(is_not_negative(-to_low), is_not_negative(to_high)));
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

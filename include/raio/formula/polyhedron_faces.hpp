@@ -5,7 +5,7 @@
 #include <raio/math/interval.hpp>
 #include <raio/math/vec.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The points p with normal.p + offset <= 0: everything behind a plane.
 template <real T>
@@ -151,6 +151,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

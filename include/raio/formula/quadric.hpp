@@ -33,7 +33,7 @@
 /// close to far away, or to the axis of a paraboloid, and crosses once. Where a is below zero, it is steeper than
 /// those, and inside before and after its two crossings, or everywhere.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// What a conic section sweeps that is turned about an axis, rho^2 = c0 + 2 c1 h + c2 h^2.
 template <class C0, class C1, class C2, class D>
@@ -96,6 +96,6 @@ RAIO_FN constexpr hollow_chord<W> cross_quadric(const D& d, const L& l, const ro
     return chord;
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

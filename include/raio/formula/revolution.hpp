@@ -17,7 +17,7 @@
 /// (after Kajiya, SIGGRAPH 1983). Its roots are isolated. For each of them x follows from the first equation or, where
 /// the line runs across the axis, from the second, whose other root is on the far side of the axis.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A curve beside an axis, as polynomials of its parameter from 0 to 1.
 template <class W>
@@ -96,6 +96,6 @@ RAIO_FN constexpr crossing_list<W, 12> cross_revolved(const curve_beside_axis<W>
     return list;
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -19,7 +19,7 @@
 /// far spheres (Haines, Guenther and Akenine-Moeller, Ray Tracing Gems, ch. 7, 2019). `cross_sphere` finds it like
 /// this; `look_at_sphere`, which is asked first, and `quick` shapes take b^2 - a c, which costs less.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The chord through the sphere.
 template <class W, int M, proven_vector L, proven_vector D>
@@ -187,6 +187,6 @@ template <class Line, real T>
     return cross_sphere_along<T>(line, line.to(center), line.direction(), line.given(radius), power);
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -8,7 +8,7 @@
 /// \file
 /// Where a line goes into what a sphere sweeps whose centre and radius are cubics, and out of it.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail {
 
 /// b and s along the curve, for a part of the line (see shape/bezier_curve.hpp, where b, s and d are defined).
 template <class W>
@@ -35,6 +35,6 @@ struct sweep {
     }
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail
 
 #include <raio/pop_macros.hpp>

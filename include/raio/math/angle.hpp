@@ -6,7 +6,7 @@
 
 #include <raio/number/real.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -75,6 +75,6 @@ RAIO_FN constexpr T fraction(const T& x) {
     return select(rest < T(1), rest, T(0));
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

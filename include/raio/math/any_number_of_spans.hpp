@@ -6,7 +6,7 @@
 
 #include <raio/math/interval.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail {
 
 /// Spans whose number is not known before the program runs have a memory of their own.
 template <class T>
@@ -14,6 +14,6 @@ struct span_storage<T, any_number> {
     using type = std::vector<interval<T>>;
 };
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail
 
 #include <raio/pop_macros.hpp>

@@ -4,7 +4,7 @@
 
 #include <raio/math/polynomial.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A cubic Bezier curve, (1 - u)^3 v0 + 3 (1 - u)^2 u v1 + 3 (1 - u) u^2 v2 + u^3 v3, as a polynomial in u.
 ///
@@ -34,6 +34,6 @@ RAIO_FN constexpr std::array<W, 3> derivatives_at(const polynomial<W, 3>& p, con
     return {p(u), slope(u), slope.derivative()(u)};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

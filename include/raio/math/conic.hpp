@@ -7,7 +7,7 @@
 
 #include <raio/config.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The upper half of a conic about the origin: y = sqrt(constant + square x^2), where that is a number. What areas of
 /// surfaces of revolution are made of; to the precision of double, which is enough for them.
@@ -53,6 +53,6 @@ struct conic {
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

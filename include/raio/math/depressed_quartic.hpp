@@ -12,7 +12,7 @@
 /// to tell whether there is a root: a concave function is above the line between two of its points, and a convex one
 /// above its tangents. So the roots of its derivative need not be found.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Where the first root is, the only one between `low`, where the polynomial is positive, and `high`, where it is
 /// negative.
@@ -100,6 +100,6 @@ private:
     bool is_sound_;
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

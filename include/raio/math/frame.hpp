@@ -4,7 +4,7 @@
 
 #include <raio/math/vec.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Three unit vectors, each perpendicular to the others, right-handed: cross(x, y) = z.
 template <real T>
@@ -26,6 +26,6 @@ RAIO_FN constexpr frame<T> frame_about(const vec3<T>& z, const T& length = T(1))
     return {{length + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign * length + z.y * z.y * a, -z.y}, z};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -7,7 +7,7 @@
 
 #include <raio/number/real.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The parameters `min <= t <= max` of a ray. Empty where `min > max`, as it is when it is new. T is a number, or
 /// whatever is compared by one.
@@ -148,6 +148,6 @@ RAIO_FN constexpr spans<T, room<N, M>> subtract(const spans<T, N>& a, const span
     return rest;
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -12,7 +12,7 @@
 /// \file
 /// Polynomials, their sums and products, the errors of their coefficients carried along; and vectors of them.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -264,6 +264,6 @@ RAIO_FN constexpr polynomial<W, 2 * N> square(const polynomial_vector<W, N>& p) 
     return square(p[0]) + square(p[1]) + square(p[2]);
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

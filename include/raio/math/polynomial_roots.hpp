@@ -8,7 +8,7 @@
 /// \file
 /// The roots of a polynomial in an interval, as many of them as are wanted.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// At most N places, in order.
 template <real W, std::size_t N>
@@ -161,6 +161,6 @@ RAIO_FN constexpr stretches<W, N> stretches_below_zero(const polynomial<W, N>& p
     return found;
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -16,7 +16,7 @@
 /// be told from zero is an extremum that may touch zero, or cut it twice: it is reported as a root whose signs before
 /// and after are the same.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A place where a polynomial is zero, or cannot be told from it.
 template <real W>
@@ -322,6 +322,6 @@ private:
 
 }  // namespace detail
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

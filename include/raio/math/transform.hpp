@@ -7,7 +7,7 @@
 #include <raio/failure.hpp>
 #include <raio/math/vec.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// An affine map of space: p goes to origin + x p.x + y p.y + z p.z. Mirrored, sheared and unevenly scaled as it may
 /// be; the identity when it is new.
@@ -80,6 +80,6 @@ RAIO_FN constexpr transform<T> rotation(const vec3<T>& axis, const T& angle) {
     return {turned({T(1), T(0), T(0)}), turned({T(0), T(1), T(0)}), turned({T(0), T(0), T(1)})};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

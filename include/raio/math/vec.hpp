@@ -12,7 +12,7 @@
 /// Vectors are GLM's. Only the functions that GLM reserves for the built-in numbers are written again, for every
 /// `real`.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 template <class T>
 using vec2 = glm::vec<2, T, glm::defaultp>;
@@ -149,6 +149,6 @@ RAIO_FN constexpr vec2<T> select(Mask mask, const vec2<T>& a, const vec2<T>& b) 
     return {select(mask, a.x, b.x), select(mask, a.y, b.y)};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -15,7 +15,7 @@
 /// Two kinds of them are enough. Products, quotients and roots keep their relative error: how many roundings it is, is
 /// counted by the type, and nothing is computed. A sum can cancel: it carries a bound.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A number whose relative error is at most K roundings. One that is given has none, K = 0.
 template <class W, int K>
@@ -278,6 +278,6 @@ RAIO_FN constexpr A abs(const A& a) {
     return size;
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

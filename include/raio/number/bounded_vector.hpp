@@ -13,7 +13,7 @@
 ///
 /// (No vectors of GLM's: they may be unions, which GCC keeps in memory.)
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A vector each of whose components has a relative error of at most K roundings. One that is given has none, K = 0.
 template <class W, int K>
@@ -310,6 +310,6 @@ RAIO_FN constexpr auto operator*(const V& v, const S& s) {
         }()};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -7,7 +7,7 @@
 /// \file
 /// One of several numbers that know how far off they may be. Where it is in doubt which, all are covered.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A number that is found in two ways: the last precision takes the one that it knows better. Others are content with
 /// the first.
@@ -94,6 +94,6 @@ RAIO_FN constexpr auto min(const A& a, const B& b) {
     return -max(-a, -b);
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -12,7 +12,7 @@
 /// so. A tie of the last precision is what that cannot tell apart; of numbers that are hardly known at all it is no
 /// more than a 2^30th of them. What is not a number is in doubt, and the last precision says no.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -157,6 +157,6 @@ RAIO_FN constexpr mask_t<W> answer_of(const verdict<mask_t<W>>& exists, const bo
     }
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -14,7 +14,7 @@
 /// (Dekker 1971) are themselves doubles and can be computed. Sum, product and quotient are after Hida, Li and Bailey
 /// (2001), their relative error stays below 2^-100 of the operands' size.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -300,7 +300,7 @@ RAIO_FN constexpr W product_as(const A& a, const B& b) {
     }
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 template <class D>
 class std::numeric_limits<raio::basic_double_double<D>> : public std::numeric_limits<double> {

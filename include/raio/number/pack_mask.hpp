@@ -10,7 +10,7 @@
 
 #include <raio/number/simd_register.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI::inline RAIO_REGISTERS {
 
 /// What a comparison of packs answers: yes or no in each of N lanes. One type for all packs of numbers as large as S,
 /// which is `float` or `double`.
@@ -129,6 +129,6 @@ private:
     part parts_[count];
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

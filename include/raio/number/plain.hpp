@@ -6,7 +6,7 @@
 
 #include <raio/number/real.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A number that is believed: what a formula finds in it is the answer, as a textbook takes it, and no closer look
 /// follows. It is one T, and compiles to what that does: bounds of errors are reckoned only where they are recorded.
@@ -87,7 +87,7 @@ inline constexpr bool is_believed = false;
 template <class T>
 inline constexpr bool is_believed<plain<T>> = true;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 template <class T>
 class std::numeric_limits<raio::plain<T>> : public std::numeric_limits<T> {};

@@ -24,7 +24,7 @@
 /// argument-dependent lookup finds, a `std::numeric_limits`, and, where the defaults do not fit, a `real_traits` of its
 /// own.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 class strict_double;
 template <class D>
@@ -292,6 +292,6 @@ RAIO_FN constexpr T quotient(const T& a, const T& b, const T& otherwise) {
     return select(zero, otherwise, a / select(zero, T(1), b));
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

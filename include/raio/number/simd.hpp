@@ -18,7 +18,7 @@
 /// The registers are those of xsimd. Where it is not installed, in CUDA, and where RAIO_WITHOUT_XSIMD is defined, a
 /// `pack<S>` has one lane, and a `pack<S, N>` is N plain numbers.
 
-namespace raio {
+namespace raio::inline RAIO_ABI::inline RAIO_REGISTERS {
 
 /// N numbers S: `float`, `double` or `strict_double`, or, to count with, unsigned ones of the same
 /// size.
@@ -198,6 +198,10 @@ private:
     register_type registers_[count];
 };
 
+}  // namespace raio::inline RAIO_ABI::inline RAIO_REGISTERS
+
+namespace raio::inline RAIO_ABI {
+
 template <class S, std::size_t N>
 struct real_traits<pack<S, N>> {
     using scalar = S;
@@ -243,7 +247,7 @@ inline constexpr double infinity<basic_double_double<pack<S, N>>> = infinity<dou
 template <class S, std::size_t N>
 inline constexpr S pi<pack<S, N>> = pi<S>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 template <class S, std::size_t N>
 class std::numeric_limits<raio::pack<S, N>> : public std::numeric_limits<S> {};

@@ -14,12 +14,11 @@
 /// The registers that packs live in: those of xsimd. Where it is not installed, in CUDA, and where RAIO_WITHOUT_XSIMD
 /// is defined, they are plain numbers.
 
-#if __has_include(<xsimd/xsimd.hpp>) && !defined(__CUDACC__) && !defined(RAIO_WITHOUT_XSIMD) && \
-    (defined(__SSE2__) || defined(_M_X64) || defined(__ARM_NEON))
+#if RAIO_HAS_XSIMD
 
 #include <xsimd/xsimd.hpp>
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// The widest register that N numbers fill without a rest; the plain number where there is none.
 template <class S, std::size_t N, std::size_t Width = xsimd::batch<S>::size>
@@ -85,11 +84,11 @@ inline __m512 greater_of(__m512 a, __m512 b) { return _mm512_max_ps(b, a); }
 inline __m512d greater_of(__m512d a, __m512d b) { return _mm512_max_pd(b, a); }
 #endif
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #else
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 template <class S, std::size_t N>
 using register_of = S;
@@ -100,11 +99,11 @@ inline constexpr bool floors_any_number = true;
 
 RAIO_FN constexpr std::uint32_t bits_of(bool mask) { return mask ? 1 : 0; }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #endif
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
 /// What the comparison of two registers answers.
 template <class Register>
@@ -198,6 +197,6 @@ RAIO_FN constexpr void fill(Register (&registers)[N], F f) {
     repeat<N>([&](std::size_t i) { registers[i] = f(i); });
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
 
 #include <raio/pop_macros.hpp>

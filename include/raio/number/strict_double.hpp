@@ -13,7 +13,7 @@
 /// gives other bits with other flags. Here a product stands alone: every compiler, at every optimisation level, on the
 /// processor and on the graphics card, gives the same bits.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -27,8 +27,10 @@ RAIO_FN constexpr double rounded_product(double a, double b) {
     // To the optimiser the product may have changed here, so it cannot be fused with the addition that follows.
 #if defined(__GNUC__) && (defined(__FMA__) || defined(__FMA4__))
     asm("" : "+v"(product));
-#elif defined(__GNUC__) && defined(__aarch64__)
+#elif defined(__GNUC__) && (defined(__aarch64__) || defined(__ARM_FEATURE_FMA))
     asm("" : "+w"(product));
+#elif defined(__GNUC__) && defined(__FP_FAST_FMA)  // of other processors, through memory
+    asm("" : "+m"(product));
 #endif
     return product;
 #endif
@@ -103,7 +105,7 @@ private:
     double value_;
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 template <>
 class std::numeric_limits<raio::strict_double> : public std::numeric_limits<double> {};

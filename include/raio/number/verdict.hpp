@@ -4,7 +4,7 @@
 
 #include <raio/number/real.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The answer to a comparison of numbers that are known up to an error: in exact arithmetic it holds, or it does not,
 /// or that is in doubt.
@@ -48,6 +48,6 @@ RAIO_FN constexpr verdict<Mask> some(const verdict<Mask>& a, const More&... more
     return {some(a.certainly, more.certainly...), some(a.possibly, more.possibly...), some(a.yes, more.yes...)};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -7,7 +7,7 @@
 /// \file
 /// Where a ray's line is inside a solid: chords, each between two crossings, and what is made of them.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Two crossings of one line, in order. Of a convex solid both exist or none does, and the line is inside between them.
 template <class W>
@@ -308,6 +308,6 @@ RAIO_FN constexpr void keep_if_in_range(const Line& line, chord_pair<W>& c) {
     keep_if_in_range<T>(line, c.second);
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -16,7 +16,7 @@
 /// The local variables of class type here and in the shapes are not const: GCC keeps a const aggregate in memory, where
 /// every step waits for the one before to be stored.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// What a comparison has to forgive. The last of several precisions takes what it cannot tell from a tie for one:
 /// edges, rims and tangents belong to the shape. A number type that stands alone compares what it has computed.
@@ -208,6 +208,6 @@ RAIO_FN constexpr void keep_if_in_range(const Line& line, crossing<W>& c) {
     c.exists = every(c.exists, farthest < most);
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

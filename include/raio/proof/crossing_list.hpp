@@ -10,7 +10,7 @@
 /// \file
 /// More than two crossings of one line, and how they are settled.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The chords of one line through parts of a solid, in the order in which it enters them.
 template <class W, std::size_t N>
@@ -318,6 +318,6 @@ requires detail::lists_crossings<Shape, Ray> RAIO_FN constexpr auto inside_of(co
     }
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

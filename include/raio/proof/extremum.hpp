@@ -5,7 +5,7 @@
 #include <raio/math/polynomial.hpp>
 #include <raio/proof/chord.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A polynomial and its derivative.
 template <real W, std::size_t N>
@@ -39,6 +39,6 @@ RAIO_FN constexpr root_pair<W> extremes_near(const differentiated<W, N>& b, cons
     return {{middle - root, error}, {middle + root, error}};
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -14,7 +14,7 @@
 /// its k-th pack. So a shape goes into a lane, and comes out again, number by number, and nothing needs to be known of
 /// its fields.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail {
 
 /// Has a number type more than one lane?
 template <class T>
@@ -170,6 +170,6 @@ RAIO_FN auto spans_in_lanes(const Packed& packed, const ray<R>& ray) {
     return inside;
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail
 
 #include <raio/pop_macros.hpp>

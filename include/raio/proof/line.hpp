@@ -5,7 +5,7 @@
 #include <raio/number/bounded_vector.hpp>
 #include <raio/ray.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The components, without their errors.
 template <proven_vector V>
@@ -155,6 +155,6 @@ struct mapped_line : shape_numbers<W> {
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -8,7 +8,7 @@
 /// \file
 /// Which parts of a surface of revolution a line passes by, for less than it takes to cross them.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -107,6 +107,6 @@ private:
 
 }  // namespace detail
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -6,7 +6,7 @@
 #include <raio/proof/crossing_list.hpp>
 #include <raio/proof/line.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Is a point known to less than a 2^13th of a size? So far away that it is not, places cannot be told apart.
 template <class W>
@@ -112,6 +112,6 @@ RAIO_FN constexpr line_part<W> part_near(const Line& line, const vec3<T>& base, 
     return part_of(line, every(passes, is_positive(half)), base, size, middle, half, W(starts_within ? 2 : 1));
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

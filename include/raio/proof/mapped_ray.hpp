@@ -16,7 +16,7 @@
 /// So a ray is mapped back, its direction not normalised, and t needs no mapping at all. What is rounded on the way is
 /// an error of the line that the shape's formula is given.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// An affine map that rays are mapped back by, and its inverse.
 template <real T>
@@ -255,6 +255,6 @@ RAIO_FN constexpr mapped_ray_of<T, World> mapped(const mapped_ray_of<T, World>& 
 template <class Ray, class T>
 concept ray_of = std::derived_from<Ray, ray<T>> || std::derived_from<Ray, mapped_ray<T>>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

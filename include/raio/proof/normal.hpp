@@ -7,7 +7,7 @@
 /// \file
 /// Normals of which few digits are left: close to an apex, on slivers, beside folds.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -89,6 +89,6 @@ RAIO_FN constexpr vec3<Q> mirrored_against(const vec3<Q>& outward, const vec3<Q>
     return outward - direction * (Q(2) * max(Q(0), dot(outward, direction) * side) * side);
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

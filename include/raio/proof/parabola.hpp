@@ -7,7 +7,7 @@
 /// \file
 /// Where a line is inside a solid whose function is of the second degree along it, a t^2 - 2 b t + c: in all cases.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Where a line is inside a solid: between two ends or, where that is hollow, before and after them.
 template <class W>
@@ -161,6 +161,6 @@ RAIO_FN constexpr chords_for_t<W, Wanted> intersect(const hollow_chord<W>& c, co
     }
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -12,7 +12,7 @@
 /// between x = -1 and 1. The coordinates of p(x) are polynomials of degree 1, and f is computed with them as with
 /// numbers (math/polynomial.hpp); its roots are isolated (math/polynomial_roots.hpp).
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// What is told of the roots of f along a part of a line.
 template <class W, std::size_t N>
@@ -209,6 +209,6 @@ RAIO_FN constexpr auto error_of_tangent(const Point& at) {
     return last_precision<typename Point::number> ? T(at.blur()) : T(0);
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -13,7 +13,7 @@
 /// is, and takes what the shape says of it: how much the surface curves there, its normal, its uv. Of all that, only
 /// what the record has room for is computed.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -354,6 +354,6 @@ RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const
 
 }  // namespace detail
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -21,7 +21,7 @@
 /// they lie. The first that is not known, and those behind it, are what double_double finds. Nothing of that depends on
 /// the window, or on what is asked, so that t does not either.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -219,6 +219,6 @@ RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
     }
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -14,7 +14,7 @@
 /// that of a plain number, operation by operation. Packs of doubles go there at once. Whatever is open after that is
 /// asked of the plain shape in its lane.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -266,6 +266,6 @@ template <class Shape, detail::has_lanes R>
 requires requires(const Shape shape, const ray<R> ray) { shape.crossings(line_in<R>(ray)).near; }
 RAIO_FN auto inside_of(const Shape& shape, const ray<R>& ray) { return detail::spans_in_lanes(shape, ray); }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -8,7 +8,7 @@
 /// \file
 /// Which crossings count: those with t in the closed window [t_min, t_max] that is asked for.
 
-namespace raio::detail {
+namespace raio::inline RAIO_ABI::detail {
 
 /// An end of a window of T, so far out that no exact t from beyond is rounded into the window.
 /// \param sign  -1 for the lower end, 1 for the upper one
@@ -159,6 +159,6 @@ RAIO_FN constexpr verdict<W> settled_in_window(const chord_pair<W>& c, T t_min, 
                    [&] { return settled_in_window<Asked>(c.second, t_min, t_max); });
 }
 
-}  // namespace raio::detail
+}  // namespace raio::inline RAIO_ABI::detail
 
 #include <raio/pop_macros.hpp>

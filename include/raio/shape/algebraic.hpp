@@ -8,7 +8,7 @@
 #include <raio/proof/polynomial_crossings.hpp>
 #include <raio/shape/box.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// coefficient * x^x y^y z^z: `{3, 2, 0, 1}` is 3 x^2 z.
 template <real T>
@@ -146,6 +146,6 @@ private:
 template <real T, std::size_t Degree, class Terms = std::vector<algebraic_term<T>>>
 using open_algebraic = algebraic<T, Degree, false, Terms>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -8,7 +8,7 @@
 #include <raio/math/bezier.hpp>
 #include <raio/math/frame.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A round curve: what a sphere sweeps whose centre C follows a cubic Bezier curve while its radius r, a cubic as well,
 /// changes with it.
@@ -164,6 +164,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -11,7 +11,7 @@
 #include <raio/proof/line.hpp>
 #include <raio/shape/triangle.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The surface through four corners, which need not lie in one plane: where u goes from 0 to 1, a straight line moves
 /// from the edge p00 p01 to the edge p10 p11. Its front is the side from which the turn from u to v is
@@ -201,6 +201,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -8,7 +8,7 @@
 #include <raio/formula/box_faces.hpp>
 #include <raio/proof/polynomial_crossings.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A part of a blob: a ball or a capsule with a field that falls from `strength` in the centre, or on the axis, to
 /// nothing at `radius`.
@@ -237,6 +237,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

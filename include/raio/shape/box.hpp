@@ -9,7 +9,7 @@
 #include <raio/proof/settle.hpp>
 #include <raio/surface_sample.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The points with min <= p <= max in every coordinate.
 ///
@@ -167,6 +167,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -5,7 +5,7 @@
 #include <raio/shape/cylinder.hpp>
 #include <raio/shape/sphere.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The points at most `radius` from the segment between `base` and `top`: a cylinder with round ends. A line is inside
 /// from where it enters the first of the cylinder and the two spheres to where it leaves the last of them; where base
@@ -89,6 +89,6 @@ private:
     RAIO_FN constexpr sphere<T> high_end() const { return {top, radius}; }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

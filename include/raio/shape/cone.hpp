@@ -31,7 +31,7 @@
 /// the angle about the axis in turns, from the x axis of `frame_about(apex - base)`; v = 1 - h, 0 at the base and 1 at
 /// the apex. uv of the base: the same u, and v the distance from the axis over the radius.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -111,6 +111,6 @@ private:
 template <real T>
 using open_cone = cone<T, false>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -13,7 +13,7 @@
 #include <raio/proof/line.hpp>
 #include <raio/surface_sample.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -175,6 +175,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

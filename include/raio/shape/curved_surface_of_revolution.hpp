@@ -5,7 +5,7 @@
 #include <raio/math/bezier.hpp>
 #include <raio/shape/surface_of_revolution.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -84,6 +84,6 @@ private:
 template <real T>
 using curved_surface_of_revolution = surface_of_revolution<T, 3>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

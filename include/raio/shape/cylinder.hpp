@@ -28,7 +28,7 @@
 /// `frame_about(top - base)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance
 /// from the axis over the radius.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -144,6 +144,6 @@ struct cylinder {
 template <real T>
 using open_cylinder = cylinder<T, false>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

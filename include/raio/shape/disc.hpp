@@ -4,7 +4,7 @@
 
 #include <raio/shape/ring.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The points of a plane at most `radius` from `center`: where the ray meets the plane, the squared distance decides.
 /// It is a ring without a hole, but asks for one rim only.
@@ -54,6 +54,6 @@ private:
     RAIO_FN constexpr ring<T> as_ring() const { return {center, normal, T(0), radius}; }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -6,7 +6,7 @@
 #include <raio/formula/sphere.hpp>
 #include <raio/math/angle.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The points whose distances from `center` along the axes, each over its radius, are the coordinates of a point of the
 /// unit sphere. Turned about, it is `transformed`.
@@ -81,6 +81,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -21,7 +21,7 @@
 /// `frame_about(top - base)`; v the height, 0 at the base and 1 at the top. uv of a cap: the same u, and v the distance
 /// from the axis over the cap's radius.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -181,6 +181,6 @@ private:
 template <real T>
 using open_frustum = frustum<T, false>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

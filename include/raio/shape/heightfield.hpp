@@ -11,7 +11,7 @@
 #include <raio/failure.hpp>
 #include <raio/shape/triangle.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Heights along z over a rectangular grid in the xy plane, two triangles to a cell: from the corner with the least x
 /// and y to the opposite one runs the edge between them. Above is the front. (For other planes there is `transformed`.)
@@ -187,6 +187,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

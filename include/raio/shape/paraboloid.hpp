@@ -17,7 +17,7 @@
 /// `frame_about(top - vertex)`; v the height. uv of the cap: the same u, and v the distance from the axis over the
 /// radius.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -135,6 +135,6 @@ struct paraboloid {
 template <real T>
 using open_paraboloid = paraboloid<T, false>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -6,7 +6,7 @@
 #include <raio/formula/edges.hpp>
 #include <raio/surface_sample.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The points `corner + u edge_u + v edge_v` with u and v in [0, 1]: a flat quadrilateral whose front is the side from
 /// which the turn from `edge_u` to `edge_v` is counter-clockwise.
@@ -66,6 +66,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -8,7 +8,7 @@
 #include <raio/math/frame.hpp>
 #include <raio/proof/line.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// All points p with normal.(p - point) = 0, without end. A ray meets it at
 ///
@@ -59,6 +59,6 @@ struct plane {
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -10,7 +10,7 @@
 /// Solids that are bounded by planes, each made as the convex polyhedron that it is. Planes are found in the last
 /// precision of T and rounded so that no corner is cut off but by a rounding of the offset.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A convex polyhedron that holds its planes itself.
 template <real T, std::size_t Faces>
@@ -149,6 +149,6 @@ requires(Faces == 4 || Faces == 6 || Faces == 8 || Faces == 12 || Faces == 20) R
     return solid;
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -8,7 +8,7 @@
 #include <raio/proof/crossing_list.hpp>
 #include <raio/shape/box.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The points of a box at which a polynomial of degree 2
 ///
@@ -153,6 +153,6 @@ private:
 template <real T>
 using open_quadric = quadric<T, false>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -9,7 +9,7 @@
 #include <raio/proof/line.hpp>
 #include <raio/surface_sample.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -89,6 +89,6 @@ struct ring {
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -5,7 +5,7 @@
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/sphere.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// All that lies between two spheres: what a sphere sweeps that moves straight from `base` to `top` while its radius
 /// changes evenly. A capsule has equal radii.
@@ -149,6 +149,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -6,7 +6,7 @@
 #include <raio/proof/normal.hpp>
 #include <raio/shape/box.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The solid where a function f of a point is not above 0, inside a box: blends, offsets, fractals, whatever can be
 /// written down.
@@ -117,6 +117,6 @@ private:
 template <real T, class Distance>
 signed_distance(aabb<T>, T, T, Distance) -> signed_distance<T, Distance>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

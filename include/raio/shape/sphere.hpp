@@ -7,7 +7,7 @@
 #include <raio/math/angle.hpp>
 #include <raio/surface_sample.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The ball: its surface is at distance `radius` from `center`.
 ///
@@ -73,6 +73,6 @@ struct sphere {
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -7,7 +7,7 @@
 #include <raio/concepts.hpp>
 #include <raio/proof/polynomial_crossings.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// Steiner's Roman surface (Steiner 1844; Apery, Models of the Real Projective Plane, 1987): the points
 /// size (b c, c a, a b) of all unit vectors (a, b, c), seen from `center`, in a cube with edges of length `size`.
@@ -93,6 +93,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

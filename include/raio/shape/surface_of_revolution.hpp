@@ -10,7 +10,7 @@
 #include <raio/shape/frustum.hpp>
 #include <raio/shape/ring.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -211,6 +211,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

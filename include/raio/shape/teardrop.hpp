@@ -7,7 +7,7 @@
 #include <raio/math/frame.hpp>
 #include <raio/proof/polynomial_crossings.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A drop that hangs from its tip: the pear-shaped quartic (piriform; Lawrence, A Catalog of Special Plane Curves,
 /// 1972), turned about its axis. At the height h, which is 0 at the bottom and 1 at the tip, the distance rho from the
@@ -103,6 +103,6 @@ private:
     }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

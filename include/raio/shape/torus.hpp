@@ -8,7 +8,7 @@
 #include <raio/proof/line_part.hpp>
 #include <raio/surface_sample.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The points at most `minor_radius` from the circle of radius `major_radius` about `center`, across `axis`: a solid
 /// ring. If the minor radius is the larger one, it has no hole, and what its surface would be inside of itself does not
@@ -221,6 +221,6 @@ private:
     RAIO_FN constexpr T strip(const T& psi) const { return major_radius * psi + minor_radius * sin(psi); }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

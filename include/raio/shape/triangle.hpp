@@ -6,7 +6,7 @@
 #include <raio/formula/edges.hpp>
 #include <raio/surface_sample.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The flat triangle a, b, c, whose front is the side from which its corners run counter-clockwise.
 ///
@@ -63,6 +63,6 @@ private:
     RAIO_FN constexpr aabb<T> corners() const { return hull_of_numbers(hull_of_numbers(aabb<T>{a, a}, b), c); }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -13,7 +13,7 @@
 ///
 /// All else is as of one sheet: see hyperboloid.hpp.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
@@ -95,6 +95,6 @@ private:
 template <real T>
 using open_two_sheet_hyperboloid = two_sheet_hyperboloid<T, false>;
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

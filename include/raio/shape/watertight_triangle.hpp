@@ -4,7 +4,7 @@
 
 #include <raio/shape/triangle.hpp>
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// The triangle of a mesh: one question per edge, asked with the edge's two corners only, so that the two triangles at
 /// an edge hear the same answer in any precision, and no ray slips between them.
@@ -99,6 +99,6 @@ private:
     RAIO_FN constexpr triangle<T> as_triangle() const { return {a, b, c}; }
 };
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>
