@@ -28,7 +28,8 @@ inline double chi_square_limit(double free) {
 template <sampleable Shape, class ToSquare>
 void check_sampling(const Shape& shape, ToSquare to_square) {
     using T = number_t<Shape>;
-    constexpr int side = 8, samples = 100'000;
+    constexpr int side = 8;
+    const int samples = at_least(20'000);
     const auto exact_shape = converted<oracle>(shape);
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     const T eps = std::numeric_limits<T>::epsilon(), size = std::sqrt(shape.area());
