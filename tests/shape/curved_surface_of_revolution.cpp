@@ -194,7 +194,7 @@ TEST_CASE("curved surface of revolution: the point in which it meets the axis li
 
 TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_NUMBERS) {
     random_numbers random(35);
-    const int rays = test_rays;
+    const int rays = test_rays / 2;
     int hits = 0, undecided = 0, certain = 0;
     for (int i = 0; i < rays; ++i) {
         const auto s = random_curved_surface<T>(random);

@@ -138,7 +138,7 @@ TEST_CASE_TEMPLATE("frustum: properties of every shape", T, RAIO_NUMBERS) { chec
 TEST_CASE_TEMPLATE("frustum: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<frustum<T>>();
     check_accuracy<frustum<T>>(test_rays);
-    check_bounds_of_errors<frustum<T>>(test_rays / 10);
+    check_bounds_of_errors<frustum<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("open_frustum: named cases", T, RAIO_NUMBERS) {
@@ -177,7 +177,7 @@ TEST_CASE_TEMPLATE("open_frustum: properties of every shape", T, RAIO_NUMBERS) {
 
 TEST_CASE_TEMPLATE("open_frustum: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_frustum<T>>(test_rays, 1.0 / 200);
-    check_bounds_of_errors<open_frustum<T>>(test_rays / 10);
+    check_bounds_of_errors<open_frustum<T>>(test_rays / 20);
 }
 
 /// How much of the side's area lies below a height of the lamp that the tests of samples use.

@@ -278,7 +278,7 @@ TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, RAIO_NUMBERS
 
 TEST_CASE_TEMPLATE("surface of revolution: of one segment, as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<lone_segment<T>>(test_rays, 1.0 / 500);
-    check_bounds_of_errors<lone_segment<T>>(share_of(20'000));
+    check_bounds_of_errors<lone_segment<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("surface of revolution: closed where its profile begins and ends on the axis", T, RAIO_NUMBERS) {

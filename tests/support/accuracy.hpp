@@ -388,9 +388,6 @@ void check_nothing_is_hit_beside(int rays) {
     }
 }
 
-/// A count that is expected, and three standard deviations of it: in a short run chance has its share.
-inline double with_chance(double expected) { return expected + 3 * std::sqrt(expected); }
-
 /// The same of a root of a polynomial that had to be expanded first.
 inline constexpr double ulp_of_roots = 1000;
 
