@@ -201,9 +201,12 @@ TEST_CASE_TEMPLATE("curved surface of revolution: as exact arithmetic", T, RAIO_
         const ray<T> r = random_ray(s, random);
         if (!(dot(r.direction, r.direction) > T(0))) continue;
         CAPTURE(literal(r));
-        std::string points = literal(s.base) + literal(s.axis);
-        for (const vec2<T>& p : s.profile) points += literal(p);
-        CAPTURE(points);
+        const auto points = [&] {
+            std::string text = literal(s.base) + literal(s.axis);
+            for (const vec2<T>& p : s.profile) text += literal(p);
+            return text;
+        };
+        CAPTURE(points());
         hit_record<T> rec{};
         const bool hit = s.hit(r, T(0), infinity<T>, rec);
         REQUIRE(s.occluded(r, T(0), infinity<T>) == hit);

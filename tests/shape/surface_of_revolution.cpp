@@ -252,9 +252,12 @@ TEST_CASE_TEMPLATE("surface of revolution: as exact arithmetic", T, RAIO_NUMBERS
         if (!(dot(r.direction, r.direction) > T(0))) continue;
         const T t_min = random.one_in(4) ? T(-1) : T(0);
         CAPTURE(literal(r));
-        std::string points = literal(s.base) + literal(s.axis);
-        for (const vec2<T>& p : s.profile) points += literal(p);
-        CAPTURE(points);
+        const auto points = [&] {
+            std::string text = literal(s.base) + literal(s.axis);
+            for (const vec2<T>& p : s.profile) text += literal(p);
+            return text;
+        };
+        CAPTURE(points());
         hit_record<T> rec{};
         const bool hit = s.hit(r, t_min, infinity<T>, rec);
         REQUIRE(s.occluded(r, t_min, infinity<T>) == hit);
