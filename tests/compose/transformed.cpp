@@ -319,9 +319,8 @@ std::string inexact_image(const probe<posed<P>>& p, int& hits) {
         const bool is_it = detail::keeps_all_digits<T> ? off <= oracle(length(rec.error)) + rounding : t == rec.t;
         if (hit && is_it) {
             if (c.entering != rec.front_face) return "the other side";
-            hit_record<oracle> exact{};
-            detail::record_crossing(shape, back, c, exact);
-            const oracle turned = length(normalize(inverse.transposed(exact.normal)) - vec3<oracle>(rec.normal));
+            const vec3<oracle> normal = exact_normal(shape, back, c);
+            const oracle turned = length(normalize(inverse.transposed(normal)) - vec3<oracle>(rec.normal));
             // A step of the point in the shape's own space, or a rounding there, turns what is seen by as much times
             // the condition of the map.
             const oracle inward = norm1(inverse.x) + norm1(inverse.y) + norm1(inverse.z);

@@ -48,6 +48,28 @@ TEST_CASE_TEMPLATE("abs, copysign: as <cmath> has them, before the program runs 
     }
 }
 
+TEST_CASE("oracle: any double goes in as it is, and comes out as it was") {
+    using limits = std::numeric_limits<double>;
+    random_numbers random(3);
+    std::vector<double> numbers{0, 1, limits::denorm_min(), limits::min(), limits::max(), infinity<double>};
+    for (int i = 0; i < 10'000; ++i) numbers.push_back(std::bit_cast<double>(random.bits()));
+    for (const double x : numbers) {
+        if (std::isnan(x)) continue;
+        for (const double y : {x, -x}) {
+            const long double wide = y;  // which MPFR takes in itself
+            REQUIRE(static_cast<double>(oracle(y)) == y);
+            REQUIRE(static_cast<long double>(oracle(y)) == wide);
+            REQUIRE((oracle(y) == oracle(wide) && (oracle(y) < oracle(0)) == (y < 0)));
+            if (std::isnormal(y / 4)) REQUIRE(oracle(y) - oracle(y / 4) == oracle(wide * 0.75L));
+        }
+    }
+    for (const int exponent : {-16000, -1087, -1086, 959, 960, 16000}) {  // of the digits that a long double takes
+        const long double x = std::ldexp(0.75L, exponent);
+        REQUIRE(static_cast<long double>(oracle(x)) == x);
+        REQUIRE(static_cast<long double>(oracle(-x)) == -x);
+    }
+}
+
 TEST_CASE_TEMPLATE("is_finite: neither infinite nor NaN", T, RAIO_NUMBERS) {
     CHECK(is_finite(std::numeric_limits<T>::max()));
     CHECK(is_finite(-std::numeric_limits<T>::denorm_min()));

@@ -197,13 +197,13 @@ TEST_CASE_TEMPLATE("algebraic: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<algebraic<T, 4>>(test_rays, 1e-3, ulp_of_roots);
     check_accuracy<algebraic<T, 3>>(test_rays / 10, 1.0 / 200, ulp_of_roots);
     check_accuracy<algebraic<T, 8>>(test_rays / 20, 1.0 / 200, ulp_of_roots);
-    check_bounds_of_errors<algebraic<T, 4>>(test_rays / 10);
+    check_bounds_of_errors<algebraic<T, 4>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("open_algebraic: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<open_algebraic<T, 3>>();
     check_accuracy<open_algebraic<T, 3>>(test_rays / 5, 1.0 / 200, ulp_of_roots);
-    check_bounds_of_errors<open_algebraic<T, 3>>(test_rays / 10);
+    check_bounds_of_errors<open_algebraic<T, 3>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("algebraic: normal along the gradient, against the ray where there is none", T, RAIO_NUMBERS) {

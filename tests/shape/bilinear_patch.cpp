@@ -253,7 +253,7 @@ TEST_CASE_TEMPLATE("bilinear_patch: properties of every shape", T, RAIO_NUMBERS)
 TEST_CASE_TEMPLATE("bilinear_patch: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<bilinear_patch<T>>();
     check_accuracy<bilinear_patch<T>>(test_rays);
-    check_bounds_of_errors<bilinear_patch<T>>(test_rays / 5);
+    check_bounds_of_errors<bilinear_patch<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("bilinear_patch: uv", T, RAIO_NUMBERS) {

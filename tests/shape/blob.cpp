@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("blob: properties of every shape", T, RAIO_NUMBERS) { check_p
 
 TEST_CASE_TEMPLATE("blob: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<blob<T>>();
-    check_accuracy<blob<T>>(test_rays, 1e-3, ulp_of_roots);
+    check_accuracy<blob<T>>(test_rays / 4, 1e-3, ulp_of_roots);
     check_bounds_of_errors<blob<T>>(test_rays / 20);
 }
 

@@ -78,7 +78,7 @@ TEST_CASE_TEMPLATE("box: properties of every shape", T, RAIO_NUMBERS) { check_pr
 TEST_CASE_TEMPLATE("box: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<box<T>>();
     check_accuracy<box<T>>(test_rays);
-    check_bounds_of_errors<box<T>>(test_rays / 5);
+    check_bounds_of_errors<box<T>>(test_rays / 20);
 }
 
 /// Towards a corner, an edge, or a point of a face or inside, which is met at t = 3; or from there, along every axis

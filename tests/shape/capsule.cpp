@@ -59,7 +59,7 @@ TEST_CASE_TEMPLATE("capsule: from a point of the surface, in any direction (many
 TEST_CASE_TEMPLATE("capsule: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<capsule<T>>();
     check_accuracy<capsule<T>>(test_rays);
-    check_bounds_of_errors<capsule<T>>(test_rays / 5);
+    check_bounds_of_errors<capsule<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("capsule: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

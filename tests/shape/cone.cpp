@@ -80,7 +80,7 @@ TEST_CASE_TEMPLATE("cone: properties of every shape", T, RAIO_NUMBERS) { check_p
 TEST_CASE_TEMPLATE("cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<cone<T>>();
     check_accuracy<cone<T>>(test_rays);
-    check_bounds_of_errors<cone<T>>(test_rays / 10);
+    check_bounds_of_errors<cone<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("open_cone: named cases", T, RAIO_NUMBERS) {
@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("open_cone: from a point of the surface, in any direction (ma
 
 TEST_CASE_TEMPLATE("open_cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_cone<T>>(test_rays, 1.0 / 200);
-    check_bounds_of_errors<open_cone<T>>(test_rays / 10);
+    check_bounds_of_errors<open_cone<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("cone: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

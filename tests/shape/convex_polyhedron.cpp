@@ -194,7 +194,7 @@ TEST_CASE_TEMPLATE("convex_polyhedron: properties of every shape", T, RAIO_NUMBE
 TEST_CASE_TEMPLATE("convex_polyhedron: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<convex_polyhedron<T>>();
     check_accuracy<convex_polyhedron<T>>(test_rays);
-    check_bounds_of_errors<convex_polyhedron<T>>(test_rays / 5);
+    check_bounds_of_errors<convex_polyhedron<T>>(test_rays / 20);
 }
 
 }  // namespace raio::test

@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("cylinder: from a point of the surface, in any direction (man
 TEST_CASE_TEMPLATE("cylinder: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<cylinder<T>>();
     check_accuracy<cylinder<T>>(test_rays);
-    check_bounds_of_errors<cylinder<T>>(test_rays / 5);
+    check_bounds_of_errors<cylinder<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("open_cylinder: named cases", T, RAIO_NUMBERS) {
@@ -193,7 +193,7 @@ TEST_CASE_TEMPLATE("open_cylinder: properties of every shape", T, RAIO_NUMBERS) 
 
 TEST_CASE_TEMPLATE("open_cylinder: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_cylinder<T>>(test_rays, 1.0 / 200);
-    check_bounds_of_errors<open_cylinder<T>>(test_rays / 5);
+    check_bounds_of_errors<open_cylinder<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("cylinder: the bound of t on its own, from above as well, where rays all but run along it", W,

@@ -54,7 +54,7 @@ TEST_CASE_TEMPLATE("disc: properties of every shape", T, RAIO_NUMBERS) { check_p
 TEST_CASE_TEMPLATE("disc: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<disc<T>>();
     check_accuracy<disc<T>>(test_rays);
-    check_bounds_of_errors<disc<T>>(test_rays / 5);
+    check_bounds_of_errors<disc<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("disc: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

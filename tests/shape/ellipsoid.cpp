@@ -70,7 +70,7 @@ TEST_CASE_TEMPLATE("ellipsoid: from a point of the surface, in any direction (ma
 TEST_CASE_TEMPLATE("ellipsoid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<ellipsoid<T>>();
     check_accuracy<ellipsoid<T>>(test_rays);
-    check_bounds_of_errors<ellipsoid<T>>(test_rays / 10);
+    check_bounds_of_errors<ellipsoid<T>>(test_rays / 20);
 }
 
 TEST_CASE("ellipsoid: a point at the origin is off by what the rounded normal is turned by") {

@@ -70,7 +70,7 @@ TEST_CASE_TEMPLATE("paraboloid: properties of every shape", T, RAIO_NUMBERS) { c
 TEST_CASE_TEMPLATE("paraboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<paraboloid<T>>();
     check_accuracy<paraboloid<T>>(test_rays);
-    check_bounds_of_errors<paraboloid<T>>(test_rays / 10);
+    check_bounds_of_errors<paraboloid<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("open_paraboloid: named cases", T, RAIO_NUMBERS) {
@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("open_paraboloid: from a point of the surface, in any directi
 
 TEST_CASE_TEMPLATE("open_paraboloid: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<open_paraboloid<T>>(test_rays, 1.0 / 200);
-    check_bounds_of_errors<open_paraboloid<T>>(test_rays / 10);
+    check_bounds_of_errors<open_paraboloid<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("paraboloid: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

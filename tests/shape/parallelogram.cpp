@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("parallelogram: properties of every shape", T, RAIO_NUMBERS) 
 TEST_CASE_TEMPLATE("parallelogram: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<parallelogram<T>>();
     check_accuracy<parallelogram<T>>(test_rays, 1e-3, 16);
-    check_bounds_of_errors<parallelogram<T>>(test_rays / 5);
+    check_bounds_of_errors<parallelogram<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("parallelogram: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

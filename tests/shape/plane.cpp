@@ -43,7 +43,7 @@ TEST_CASE_TEMPLATE("plane: properties of every shape", T, RAIO_NUMBERS) { check_
 TEST_CASE_TEMPLATE("plane: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<plane<T>>();
     check_accuracy<plane<T>>(test_rays);
-    check_bounds_of_errors<plane<T>>(test_rays / 5);
+    check_bounds_of_errors<plane<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("plane: uv", T, RAIO_NUMBERS) {

@@ -145,7 +145,7 @@ TEST_CASE_TEMPLATE("quadric: properties of every shape", T, RAIO_NUMBERS) {
 TEST_CASE_TEMPLATE("quadric: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<quadric<T>>();
     check_accuracy<quadric<T>>(test_rays);
-    check_bounds_of_errors<quadric<T>>(test_rays / 5);
+    check_bounds_of_errors<quadric<T>>(test_rays / 20);
 }
 
 TEST_CASE("open_quadric: from a point of the surface, in any direction (some did not start there)") {
@@ -160,7 +160,7 @@ TEST_CASE("open_quadric: from a point of the surface, in any direction (some did
 TEST_CASE_TEMPLATE("open_quadric: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<open_quadric<T>>();
     check_accuracy<open_quadric<T>>(test_rays, 1.0 / 200);
-    check_bounds_of_errors<open_quadric<T>>(test_rays / 10);
+    check_bounds_of_errors<open_quadric<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("quadric: all crossings", T, RAIO_NUMBERS) {

@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("ring: properties of every shape", T, RAIO_NUMBERS) { check_p
 TEST_CASE_TEMPLATE("ring: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<ring<T>>();
     check_accuracy<ring<T>>(test_rays);
-    check_bounds_of_errors<ring<T>>(test_rays / 5);
+    check_bounds_of_errors<ring<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("ring: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("round_cone: from a point of the surface, in any direction", 
 TEST_CASE_TEMPLATE("round_cone: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<round_cone<T>>();
     check_accuracy<round_cone<T>>(test_rays);
-    check_bounds_of_errors<round_cone<T>>(test_rays / 5);
+    check_bounds_of_errors<round_cone<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("round_cone: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

@@ -133,7 +133,7 @@ TEST_CASE("sphere: from a point of the surface, in any direction (some did not s
 TEST_CASE_TEMPLATE("sphere: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<sphere<T>>();
     check_accuracy<sphere<T>>(test_rays);
-    check_bounds_of_errors<sphere<T>>(test_rays / 5);
+    check_bounds_of_errors<sphere<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("sphere: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

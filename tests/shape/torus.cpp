@@ -231,7 +231,7 @@ TEST_CASE_TEMPLATE("torus: from a point of the surface, in any direction (many d
 TEST_CASE_TEMPLATE("torus: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<torus<T>>();
     check_accuracy<torus<T>>(test_rays, 1e-3, ulp_of_roots);
-    check_bounds_of_errors<torus<T>>(test_rays / 5);
+    check_bounds_of_errors<torus<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("torus: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

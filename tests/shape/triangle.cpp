@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("triangle: properties of every shape", T, RAIO_NUMBERS) { che
 TEST_CASE_TEMPLATE("triangle: as exact arithmetic", T, RAIO_NUMBERS) {
     check_oracle<triangle<T>>();
     check_accuracy<triangle<T>>(test_rays);
-    check_bounds_of_errors<triangle<T>>(test_rays / 5);
+    check_bounds_of_errors<triangle<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("triangle: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

@@ -45,7 +45,7 @@ TEST_CASE_TEMPLATE("watertight_triangle: properties of every shape", T, RAIO_NUM
 
 TEST_CASE_TEMPLATE("watertight_triangle: as exact arithmetic", T, RAIO_NUMBERS) {
     check_accuracy<watertight_triangle<T>>(test_rays);
-    check_bounds_of_errors<watertight_triangle<T>>(test_rays / 5);
+    check_bounds_of_errors<watertight_triangle<T>>(test_rays / 20);
 }
 
 TEST_CASE_TEMPLATE("watertight_triangle: area, and samples spread evenly over it", T, RAIO_NUMBERS) {

@@ -24,6 +24,24 @@ std::string literal(const probe<Shape>& p) {
     return literal(p.shape) + ", " + literal(p.ray) + ", " + literal(p.t_min) + ", " + literal(p.t_max);
 }
 
+/// A function that answers with what is wrong about a probe, or with nothing. It refers to it, as a std::function would
+/// hold it: so what asks is compiled once for each shape.
+template <class Shape>
+class complaint_about {
+public:
+    template <class Complaint>
+    complaint_about(const Complaint& complaint)
+        : complaint_(&complaint), call_([](const void* c, const probe<Shape>& p, random_numbers& random) {
+              return std::string((*static_cast<const Complaint*>(c))(p, random));
+          }) {}
+
+    std::string operator()(const probe<Shape>& p, random_numbers& random) const { return call_(complaint_, p, random); }
+
+private:
+    const void* complaint_;
+    std::string (*call_)(const void*, const probe<Shape>&, random_numbers&);
+};
+
 /// Shape and ray made of small whole numbers: rays through edges and vertices, tangents, rays in the plane of a flat
 /// shape or from a point of the surface are the rule, and exactly so.
 template <class Shape>
@@ -92,19 +110,40 @@ probe<Shape> random_probe(random_numbers& random) {
     return random.one_in(4) ? lattice_probe<Shape>(random) : scattered_probe<Shape>(random);
 }
 
-/// Sends `count` random probes to `complaint`, which answers with what is wrong, or with nothing. The first three
-/// complaints are printed, all are counted.
-template <class Shape, class Complaint>
-void for_random_probes(const std::string& property, int count, Complaint complaint) {
+/// Counts complaints, prints the first three, and fails if there was any.
+class complaints {
+public:
+    explicit complaints(const char* property) : property_(property) {}
+
+    /// \param print  answers with what the complaint is about
+    template <class Print>
+    void add(const std::string& wrong, Print print) {
+        if (!wrong.empty() && ++count_ <= 3) fail(wrong, print());
+    }
+    void check(int of) const {
+        if (count_ != 0) FAIL_CHECK(property_ << ": complaints about " << count_ << " of " << of);
+        CHECK(count_ == 0);
+    }
+
+private:
+    void fail(const std::string& wrong, const std::string& what) const {
+        FAIL_CHECK(property_ << ": " << wrong << "\n    {" << what << "}");
+    }
+
+    const char* property_;
+    int count_ = 0;
+};
+
+/// Sends `count` random probes to `complaint`, which answers with what is wrong, or with nothing.
+template <class Shape>
+void for_random_probes(const char* property, int count, complaint_about<Shape> complaint) {
     random_numbers random(20260101);
-    int complaints = 0;
+    complaints all(property);
     for (int i = 0; i < count; ++i) {
         const probe<Shape> p = random_probe<Shape>(random);
-        const std::string wrong = complaint(p, random);
-        if (!wrong.empty() && ++complaints <= 3)
-            FAIL_CHECK(property << ": " << wrong << "\n    {" << literal(p) << "}");
+        all.add(complaint(p, random), [&] { return literal(p); });
     }
-    CHECK_MESSAGE(complaints == 0, property << ": complaints about " << complaints << " of " << count);
+    all.check(count);
 }
 
 }  // namespace raio::test

@@ -326,7 +326,7 @@ void check_face_across_x(const Shape& shape) {
 /// All of them.
 template <class Shape>
 void check_properties() {
-    const auto check = [](const char* property, int count, auto complaint) {
+    const auto check = [](const char* property, int count, complaint_about<Shape> complaint) {
         for_random_probes<Shape>(property, share_of(count), complaint);
     };
     using probe = test::probe<Shape>;

@@ -88,6 +88,9 @@ inline int share_of(int count) { return static_cast<int>(std::int64_t{count} * t
 /// So many, more in a longer run.
 inline int at_least(int count) { return std::max(count, share_of(count)); }
 
+/// A count that is expected, and three standard deviations of it: in a short run chance has its share.
+inline double with_chance(double expected) { return expected + 3 * std::sqrt(expected); }
+
 /// The types of numbers that the shapes are tested with. What is made for floats is made for doubles as well, and more:
 /// under the address sanitizer, which makes compiling slow, those alone.
 #if defined(__has_feature)

@@ -28,7 +28,8 @@ inline double chi_square_limit(double free) {
 template <sampleable Shape, class ToSquare>
 void check_sampling(const Shape& shape, ToSquare to_square) {
     using T = number_t<Shape>;
-    constexpr int side = 8, samples = 100'000;
+    constexpr int side = 8;
+    const int samples = std::max(4'000, test_rays / 5);
     const auto exact_shape = converted<oracle>(shape);
     using about = subject<std::remove_cvref_t<decltype(exact_shape)>>;
     const T eps = std::numeric_limits<T>::epsilon(), size = std::sqrt(shape.area());
@@ -57,7 +58,7 @@ void check_sampling(const Shape& shape, ToSquare to_square) {
         const auto bin = [](T x) { return std::min(static_cast<int>(x * side), side - 1); };
         ++counts[static_cast<std::size_t>(bin(square.x) * side + bin(square.y))];
     }
-    CHECK(lost < samples / 1000);
+    CHECK(lost < with_chance(samples * 0.001));
     const std::vector<double> even(counts.size(), double(samples) / (side * side));
     CHECK(chi_square(counts, even) < chi_square_limit(63));
 

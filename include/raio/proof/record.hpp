@@ -139,11 +139,11 @@ public:
     }
 
     /// Keeps the point within the bounds of the shape: where little more is known of t than its own digits, as of a ray
-    /// that grazes a tip or comes from far away, it may have come to lie beyond them.
-    /// \param bounds  answers with them, to be asked only then
+    /// that grazes a tip or comes from far away, it may have come to lie beyond them. (Of a record that has nothing to
+    /// say of it, it stays.) \param bounds  answers with them, to be asked only then
     template <class Bounds>
     RAIO_FN constexpr void keep_in([[maybe_unused]] Bounds bounds) {
-        if constexpr (is_believed<W>) return;
+        if constexpr (is_believed<W> || !(has_point<Record> || has_error<Record> || has_uv<Record>)) return;
         const auto& [origin, direction] = unmapped(ray_);
         mask_t<T> unknown(W(0) == W(0));
         // Where T has no fewer digits than t was found with, any point may lie some places beyond. Bounds of what is
