@@ -17,11 +17,11 @@ namespace raio {
 ///     raio::bvh<raio::triangle<float>> tree(triangles);
 ///     raio::bvh scene{raio::group{spheres, triangles}};    // two vectors: a bvh<sphere<float>, triangle<float>>
 ///
-/// It answers what the plain loop over all shapes answers, bit for bit: the nearest is hit, and of equally near ones
-/// the first. `hit_record::index` counts the shapes in the order in which they were given. The tree has as many
-/// children a node as the processor's registers have lanes, and its leaves are shapes in packs, eight together or, of
-/// those that take longer to test, one; they filter, and the plain shapes decide. So boxes, tree and packs make it fast
-/// and nothing else.
+/// It answers what the plain loop over all shapes answers, bit for bit: the nearest is hit, of equally near ones the
+/// first that shows its front and, if none does, the first. `hit_record::index` counts the shapes in the order in which
+/// they were given. The tree has as many children a node as the processor's registers have lanes, and its leaves are
+/// shapes in packs, eight together or, of those that take longer to test, one; they filter, and the plain shapes
+/// decide. So boxes, tree and packs make it fast and nothing else.
 ///
 /// The shapes are copied, but for those of a `bvh<mesh_triangle<T>>`. Every shape must have finite bounds; shapes
 /// without any point are left out.
