@@ -127,7 +127,7 @@ private:
     }
 
     /// Asks the plain shape, whatever it is, which may write into the record what is not known here: it is given the
-    /// record itself, and a window in which it is the nearest.
+    /// record itself, and a window in which none is nearer.
     template <std::size_t Kind>
     void ask(const place_in_leaves& at) {
         if (exists_ && at.id == at_.id) return;
@@ -140,17 +140,28 @@ private:
     }
 
     /// Is a shape that is as near as the nearest to be preferred?
-    [[gnu::noinline]] bool comes_first(const place_in_leaves& at) const {
-        if (at.id == at_.id) return false;
-        const auto shows_front = [&](const place_in_leaves& of) {
-            return leaves_.shows_front(of, ray_, t_min_, low_, with_side<T>(rec_));
+    bool comes_first(const place_in_leaves& at) const {
+        return at.id != at_.id && comes_before(leaves_, ray_, t_min_, low_, at, at_, rec_);
+    }
+
+    /// Does one of two that are hit at t come before the other? (Not asked of the query itself, whose members stay in
+    /// registers.)
+    [[gnu::cold, gnu::noinline]] static bool comes_before(const Leaves& leaves, const Ray& ray, T t_min, T t,
+                                                          place_in_leaves one, place_in_leaves other,
+                                                          [[maybe_unused]] const Record& rec) {
+        const auto shows_front = [&](const place_in_leaves& at) {
+            if constexpr (Leaves::are_quick) {  // nothing has been recorded yet
+                return leaves.shows_front(at, ray, t_min, t, decltype(with_side<T>(rec)){});
+            } else {
+                return leaves.shows_front(at, ray, t_min, t, with_side<T>(rec));
+            }
         };
-        const bool front = shows_front(at);
-        return front == shows_front(at_) ? at.id < at_.id : front;
+        const bool front = shows_front(one);
+        return front == shows_front(other) ? one.id < other.id : front;
     }
 
     /// Another one has written into the record.
-    [[gnu::noinline]] void record_again() {
+    [[gnu::cold, gnu::noinline]] void record_again() {
         Leaves::with_kind(static_cast<std::uint32_t>(at_.kind),
                           [&](auto kind) { leaves_.template hit<kind()>(at_, ray_, t_min_, low_, rec_); });
     }
