@@ -162,7 +162,7 @@ public:
         return few.count();
     }
 
-    /// All crossings, in order.
+    /// All crossings, in order. (At an edge that triangles share there is one of each: see `passages`.)
     std::vector<hit_record<T>> all_hits(const ray<T>& ray, T t_min, T t_max) const {
         detail::all_hits<T> all(t_max);
         collect(ray, t_min, t_max, all, [](const hit_record<T>&) { return true; });
@@ -317,14 +317,6 @@ private:
 
     detail::assembled<P, Rest...> tree_;
 };
-
-/// Is the point inside of a closed surface, or on it? What is asked of a mesh, of its tree.
-template <bounded P, bounded... Rest>
-requires(!solid<bvh<P, Rest...>>) bool contains(const bvh<P, Rest...>& closed, const vec3<number_t<P>>& point) {
-    using T = number_t<P>;
-    return detail::is_inside_surface<T>(point,
-                                        [&](const ray<T>& ray) { return closed.all_hits(ray, T(0), infinity<T>); });
-}
 
 template <std::ranges::contiguous_range Shapes>
 bvh(const Shapes&, const bvh_options& = {}) -> bvh<std::ranges::range_value_t<Shapes>>;
