@@ -13,6 +13,9 @@ AGAINST = (
     ("Embree, robust mode", "triangles", "raio", ("embree_robust", "embree_robust_avx2")),
     ("Embree for AVX2, raio compiled for AVX2", "triangles_avx2", "raio", ("embree_avx2",)),
     ("Embree, default quality, by quick triangles", "triangles", "quick", ("embree", "embree_avx2")),
+    ("tinybvh's BVH8_CPU", "triangles", "raio", ("tinybvh",)),
+    ("tinybvh's BVH8_CPU and raio, high quality", "triangles", "raio_high", ("tinybvh_high",)),
+    ("tinybvh's BVH8_CPU, by quick triangles", "triangles", "quick", ("tinybvh",)),
     ("its quick triangles in the same nodes", "triangles", "raio", ("quick",)),
 )
 
