@@ -109,12 +109,19 @@ def builds(measured):
 
 
 def weekend(measured):
-    rows = []
-    for name in names(measured, "weekend", 3):
-        own = millions(measured, "weekend", "weekend", "paths", name)
-        over = [own / millions(measured, "weekend", "weekend", "paths", peer) for peer in ("list", "bvh")]
-        rows.append([f"**{name}**" if name.startswith("raio") else f"`{name}`", shown(own), *map(shown, over)])
-    return table(["world", "Mrays/s", "over `list`", "over `bvh`"], rows)
+    numbers = names(measured, "weekend", 2)
+
+    def columns(name):
+        """Of each number type, as it is and over the book's list and tree, where these were measured."""
+        for number in numbers:
+            own = millions(measured, "weekend", "weekend", number, name)
+            peers = [millions(measured, "weekend", "weekend", number, peer) for peer in ("list", "bvh")]
+            yield from [own] + [own / peer if own and peer else None for peer in peers]
+
+    rows = [[f"**{name}**" if name.startswith("raio") else f"`{name}`", *map(shown, columns(name))]
+            for name in names(measured, "weekend", 3)]
+    head = [text for number in numbers for text in (f"{number}, Mrays/s", "over `list`", "over `bvh`")]
+    return table(["world", *head], rows)
 
 
 def growth(measured):

@@ -2,6 +2,7 @@
 #include <raio/compose/mesh.hpp>
 
 #include <cstdint>
+#include <vector>
 
 #include "support.hpp"
 
