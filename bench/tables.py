@@ -6,7 +6,7 @@ PERCENTS = ("0", "50", "100")
 OURS = ("hit", "occluded", "quick_hit", "quick_occluded", "hit_in_packs", "occluded_in_packs")
 
 # (row, shape, the textbook that finds as much as `quick_hit`, percentage of hits): the table at a glance
-GLANCE = (("488 spheres one after the other, 95 % missed", "bouncing_list", "one_weekend", "5"),
+GLANCE = (("list: one of 488 spheres, 95 % missed", "bouncing_list", "one_weekend", "5"),
           ("sphere", "sphere", "one_weekend", "50"),
           ("triangle", "triangle", "moeller_trumbore_record", "50"),
           ("plane", "plane", "glm_record", "50"),
@@ -14,6 +14,9 @@ GLANCE = (("488 spheres one after the other, 95 % missed", "bouncing_list", "one
           ("box", "box", "slabs_record", "50"),
           ("cylinder", "cylinder", "quadratic", "50"),
           ("torus", "torus", "ferrari", "50"))
+# The last rows: the worlds that a path tracer is measured with, of the book, quick and exact.
+GLANCE_TREE = "tree: a ray of the final scene of *One Weekend*, and its shading"
+GLANCE_TREES = ("bvh", "raio_quick", "raio")
 
 # (shape, peer, the peer's number type or None for the shape's own): what `hit` shall be no slower than
 BAR = (("sphere", "one_weekend", "double"), ("sphere", "next_week", "double"), ("triangle", "glm", None),
@@ -54,21 +57,47 @@ def machine(results):
     return f"{context['num_cpus']} cores at {context['mhz_per_cpu'] / 1000:.1f} GHz, {context['date'][:10]}."
 
 
-def glance(results):
-    """What a reader wants to know first."""
+def glance_times(results, trees):
+    """[(what, number, nanoseconds of a textbook, of quick, exact and exact packs, or None)]"""
     measured = medians(results)
     rows = []
     for name, shape, peer, percent in GLANCE:
         for number in NUMBERS:
             contenders = (peer, "quick_hit", "hit", "hit_in_packs")
             times = [measured.get((shape, call, number, percent)) for call in contenders]
-            if times[0] is None:
-                continue
-            rows.append([name, number] + [shown(time[0]) if time else "" for time in times]
-                        + [shown(time[0] / times[0][0]) if time else "" for time in times[1:3]])
-    head = ["nanoseconds per test", "number", "textbook", "`quick`", "exact", "exact, in packs", "`quick` / textbook",
+            if times[0]:
+                rows.append((name, number, *(time[0] if time else None for time in times)))
+    rates = {entry["run_name"].split("/iterations")[0]: entry["items_per_second"] for entry in trees["benchmarks"]
+             if entry.get("aggregate_name", "median") == "median" and entry["program"] == "weekend"}
+    for number in NUMBERS:
+        times = [rates.get(f"weekend/{number}/{world}") for world in GLANCE_TREES]
+        if times[0]:
+            rows.append((GLANCE_TREE, number, *(1e9 / time if time else None for time in times), None))
+    return rows
+
+
+def glance(results, trees):
+    """What a reader wants to know first."""
+    def cell(value):
+        return "" if value is None else shown(value)
+
+    rows = []
+    for name, number, textbook, *ours in glance_times(results, trees):
+        ratios = [time / textbook if time else None for time in ours[:2]]
+        rows.append([name, number] + [cell(value) for value in (textbook, *ours, *ratios)])
+    head = ["nanoseconds", "number", "textbook", "`quick`", "exact", "exact, in packs", "`quick` / textbook",
             "exact / textbook"]
     return machine(results) + "\n\n" + table(head, rows) + "\n"
+
+
+def short_glance(results, trees):
+    """The same for who has not decided yet: a line for each, float and double side by side."""
+    times = {(name, number): " / ".join(shown(value) if value else "-" for value in values)
+             for name, number, *values in glance_times(results, trees)}
+    rows = [[name] + [times.get((name, number), "") for number in NUMBERS]
+            for name in dict.fromkeys(name for name, number in times)]
+    lines = ["| nanoseconds: textbook / quick / exact / exact, in packs | float | double |", "|---|---:|---:|"]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
 
 
 def markdown(results):

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include <raio/bvh/bvh.hpp>
@@ -223,6 +224,47 @@ TEST_CASE_TEMPLATE("data of one's own: tree and loop agree on equally near ones,
     REQUIRE(group{same}.hit({{0, 0, 9}, {0, 0, -1}}, T(0), infinity<T>, rec));
     REQUIRE(bvh(same).hit({{0, 0, 9}, {0, 0, -1}}, T(0), infinity<T>, of_tree));
     CHECK((rec.material == 0 && of_tree.material == 0));
+}
+
+/// A triangle with a material.
+template <class T>
+struct sheet : triangle<T> {
+    int material;
+
+    template <class Ray, record Record>
+    bool hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+        if (!first_hit(*this, ray, t_min, t_max, rec)) return false;
+        if constexpr (requires { rec.material; }) rec.material = material;
+        return true;
+    }
+};
+
+TEST_CASE_TEMPLATE("data of one's own: of equally near ones it is that of the one that shows its front", T,
+                   RAIO_NUMBERS) {
+    const vec3<T> a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+    const sheet<T> up{{a, b, c}, 1}, down{{a, c, b}, 2}, also_up{{b, c, a}, 3}, also_down{{c, b, a}, 4};
+    const ray<T> from_above{{T(0.25), T(0.25), 2}, {0, 0, -1}}, from_below{{T(0.25), T(0.25), -2}, {0, 0, 1}};
+    std::vector<sheet<T>> all{up, down, also_up, also_down};
+    const auto earlier = [](const sheet<T>& s, const sheet<T>& t) { return s.material < t.material; };
+    do {
+        const auto first_of = [&](int one, int other) {
+            return std::ranges::find_if(all,
+                                        [&](const sheet<T>& s) { return s.material == one || s.material == other; })
+                ->material;
+        };
+        const auto check = [&](const auto& scene) {
+            own_record<T> rec = blank(T(1));
+            REQUIRE(scene.hit(from_above, T(0), infinity<T>, rec));
+            CHECK((rec.material == first_of(1, 3) && rec.normal == vec3<T>(0, 0, 1) && rec.untouched == 42));
+            CHECK(all[rec.indices[0]].material == rec.material);
+            REQUIRE(scene.hit(from_below, T(0), infinity<T>, rec));
+            CHECK((rec.material == first_of(2, 4) && rec.normal == vec3<T>(0, 0, -1)));
+            CHECK(all[rec.indices[0]].material == rec.material);
+        };
+        check(group{all});
+        check(bvh(all));
+        check(transformed{bvh(all), transform<T>{}});
+    } while (std::next_permutation(all.begin(), all.end(), earlier));
 }
 
 }  // namespace

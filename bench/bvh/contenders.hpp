@@ -10,6 +10,9 @@
 #ifdef RAIO_BENCH_EMBREE
 #include "peers/embree.hpp"
 #endif
+#ifdef RAIO_BENCH_TINYBVH
+#include "peers/tinybvh.hpp"
+#endif
 
 /// \file
 /// Trees over the triangles of a mesh, each made when it is first asked for.
@@ -61,6 +64,17 @@ inline constexpr const char* embree_isas[] = {"", "avx2"};
 /// What a contender is called in the results.
 inline std::string name_with_isa(const std::string& name, const std::string& isa) {
     return isa.empty() ? name : name + '_' + isa;
+}
+#endif
+
+#ifdef RAIO_BENCH_TINYBVH
+inline lazy<peers::tinybvh> lazy_tinybvh(const lazy<bench::mesh>& of, bool high) {
+    return lazy([=] {
+        auto tree = std::make_unique<peers::tinybvh>();
+        tree->add_triangles(of->vertices, of->triangles);
+        tree->build(high);
+        return tree;
+    });
 }
 #endif
 

@@ -13,6 +13,9 @@ AGAINST = (
     ("Embree, robust mode", "triangles", "raio", ("embree_robust", "embree_robust_avx2")),
     ("Embree for AVX2, raio compiled for AVX2", "triangles_avx2", "raio", ("embree_avx2",)),
     ("Embree, default quality, by quick triangles", "triangles", "quick", ("embree", "embree_avx2")),
+    ("tinybvh's BVH8_CPU", "triangles", "raio", ("tinybvh",)),
+    ("tinybvh's BVH8_CPU and raio, high quality", "triangles", "raio_high", ("tinybvh_high",)),
+    ("tinybvh's BVH8_CPU, by quick triangles", "triangles", "quick", ("tinybvh",)),
     ("its quick triangles in the same nodes", "triangles", "raio", ("quick",)),
 )
 
@@ -106,12 +109,19 @@ def builds(measured):
 
 
 def weekend(measured):
-    rows = []
-    for name in names(measured, "weekend", 3):
-        own = millions(measured, "weekend", "weekend", "paths", name)
-        over = [own / millions(measured, "weekend", "weekend", "paths", peer) for peer in ("list", "bvh")]
-        rows.append([f"**{name}**" if name.startswith("raio") else f"`{name}`", shown(own), *map(shown, over)])
-    return table(["world", "Mrays/s", "over `list`", "over `bvh`"], rows)
+    numbers = names(measured, "weekend", 2)
+
+    def columns(name):
+        """Of each number type, as it is and over the book's list and tree, where these were measured."""
+        for number in numbers:
+            own = millions(measured, "weekend", "weekend", number, name)
+            peers = [millions(measured, "weekend", "weekend", number, peer) for peer in ("list", "bvh")]
+            yield from [own] + [own / peer if own and peer else None for peer in peers]
+
+    rows = [[f"**{name}**" if name.startswith("raio") else f"`{name}`", *map(shown, columns(name))]
+            for name in names(measured, "weekend", 3)]
+    head = [text for number in numbers for text in (f"{number}, Mrays/s", "over `list`", "over `bvh`")]
+    return table(["world", *head], rows)
 
 
 def growth(measured):

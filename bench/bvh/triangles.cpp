@@ -66,6 +66,13 @@ void add(const bench::scene& scene) {
         add_embree("embree_robust", {.isa = isa, .robust = true});
     }
 #endif
+#ifdef RAIO_BENCH_TINYBVH
+    const auto add_tinybvh = [&](const char* name, bool high) {
+        bench::add_tree<peers::tinybvh::record>(scene.name, name, bench::lazy_tinybvh(mesh.mesh, high), rays);
+    };
+    add_tinybvh("tinybvh", false);
+    add_tinybvh("tinybvh_high", true);
+#endif
 }
 
 }  // namespace

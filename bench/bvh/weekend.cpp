@@ -6,13 +6,16 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bvh/measure.hpp"
 #include "peers/one_weekend_bvh.hpp"
 
 // The final scene of Ray Tracing in One Weekend (Shirley, Black and Hollasch), 400 x 225, depth 20: one path-tracing
-// loop on the book's list, on its sequel's tree, and on raio's. weekend/paths/CONTENDER is one measurement, in rays.
+// loop on the book's list, on its sequel's tree, on both with raio's spheres in the place of the book's, and on raio's
+// tree. weekend/NUMBER/CONTENDER is one measurement, in rays.
 
 namespace {
 
@@ -117,40 +120,68 @@ std::vector<ball<T>> final_scene() {
     return balls;
 }
 
+template <class T>
+using hittable = peers::one_weekend::hittable<T, material<T>>;
+
+/// A shape of raio's in the place of one of the book's: the first step of moving a program over.
+/// \tparam Shape  an exact sphere or a quick one
+template <class Shape>
+class raio_object final : public hittable<raio::number_t<Shape>> {
+public:
+    using T = raio::number_t<Shape>;
+    using typename hittable<T>::hit_record;
+
+    raio_object(const raio::sphere<T>& shape, std::shared_ptr<const material<T>> made_of)
+        : shape_{shape}, material_(std::move(made_of)) {}
+
+    bool hit(const raio::ray<T>& ray, T t_min, T t_max, hit_record& rec) const override {
+        if (!shape_.hit(ray, t_min, t_max, rec)) return false;
+        rec.material = material_;
+        return true;
+    }
+    raio::aabb<T> bounding_box() const override { return shape_.bounds(); }
+
+private:
+    Shape shape_;
+    std::shared_ptr<const material<T>> material_;
+};
+
 /// The book's worlds. Its rays start a thousandth away from where they were scattered.
-template <template <class, class> class Hittable>
+/// \tparam World   a list or a tree of pointers to objects
+/// \tparam Object  what the spheres are
+template <class World, class Object>
 struct of_the_book {
-    using T = double;
-    using record = peers::one_weekend::hit_record<T, material<T>>;
-    std::shared_ptr<const peers::one_weekend::hittable<T, material<T>>> world;
+    using record = typename World::hit_record;
+    using T = decltype(record::t);
+    std::shared_ptr<const World> world;
 
     of_the_book() {
         peers::one_weekend::objects<T, material<T>> objects;
         for (const auto& [shape, made_of] : final_scene<T>()) {
-            objects.push_back(std::make_shared<peers::one_weekend::sphere<T, material<T>>>(
-                shape, std::make_shared<const material<T>>(made_of)));
+            objects.push_back(std::make_shared<Object>(shape, std::make_shared<const material<T>>(made_of)));
         }
-        world = std::make_shared<const Hittable<T, material<T>>>(std::move(objects));
+        world = std::make_shared<const World>(std::move(objects));
     }
-    bool hit(const raio::ray<T>& ray, record& rec) const { return world->hit(ray, 0.001, raio::infinity<T>, rec); }
+    bool hit(const raio::ray<T>& ray, record& rec) const { return world->hit(ray, T(0.001), raio::infinity<T>, rec); }
     const material<T>& material_at(const record& rec) const { return *rec.material; }
     static raio::ray<T> leave(const record& rec, const vec3<T>& direction) { return {rec.point, direction}; }
 };
 
-template <class Number>
+/// raio's tree, and materials by number. Rays start as near to where they were scattered as the bound of that allows.
+template <class Sphere>
 struct of_raio {
-    using T = Number;
+    using T = raio::number_t<Sphere>;
     using record = raio::hit_record<T>;
     std::vector<material<T>> materials;
-    raio::bvh<raio::sphere<T>> world;
+    raio::bvh<Sphere> world;
 
     of_raio() {
-        std::vector<raio::sphere<T>> spheres;
+        std::vector<Sphere> spheres;
         for (const auto& [shape, made_of] : final_scene<T>()) {
-            spheres.push_back(shape);
+            spheres.push_back(Sphere{shape});
             materials.push_back(made_of);
         }
-        world = raio::bvh<raio::sphere<T>>(spheres, raio::bvh_options{.quality = raio::bvh_quality::high});
+        world = raio::bvh<Sphere>(spheres, raio::bvh_options{.quality = raio::bvh_quality::high});
     }
     bool hit(const raio::ray<T>& ray, record& rec) const { return world.hit(ray, 0, raio::infinity<T>, rec); }
     const material<T>& material_at(const record& rec) const { return materials[rec.index]; }
@@ -217,19 +248,34 @@ void render(benchmark::State& state, const World& world) {
 }
 
 template <class World>
-void add(const char* name) {
+void add(const std::string& contender) {
     const bench::lazy world([] { return std::make_unique<World>(); });
-    benchmark::RegisterBenchmark(name, [=](benchmark::State& state) { render(state, *world); })
+    const std::string name = std::string("weekend/") + bench::number_name<typename World::T> + '/' + contender;
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { render(state, *world); })
         ->Iterations(10)
         ->Unit(benchmark::kMillisecond);
+}
+
+/// The book's world as it is, and with raio's spheres, quick and exact.
+template <class World, class T>
+void add_of_the_book(const std::string& contender) {
+    add<of_the_book<World, peers::one_weekend::sphere<T, material<T>>>>(contender);
+    add<of_the_book<World, raio_object<raio::quick<raio::sphere<T>>>>>(contender + "_of_quick");
+    add<of_the_book<World, raio_object<raio::sphere<T>>>>(contender + "_of_exact");
+}
+
+template <class T>
+void add_all() {
+    add_of_the_book<peers::one_weekend::hittable_list<T, material<T>>, T>("list");
+    add_of_the_book<peers::one_weekend::bvh_node<T, material<T>>, T>("bvh");
+    add<of_raio<raio::quick<raio::sphere<T>>>>("raio_quick");
+    add<of_raio<raio::sphere<T>>>("raio");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    add<of_raio<float>>("weekend/paths/raio");
-    add<of_raio<double>>("weekend/paths/raio_double");
-    add<of_the_book<peers::one_weekend::hittable_list>>("weekend/paths/list");
-    add<of_the_book<peers::one_weekend::bvh_node>>("weekend/paths/bvh");
+    add_all<double>();
+    add_all<float>();
     return bench::run(argc, argv);
 }

@@ -123,24 +123,59 @@ RAIO_FN constexpr mask_t<T> hit_in_between(const P& shape, const Ray& ray, T t_m
     return true;
 }
 
-/// `hit` of several primitives, one after the other: the nearest is hit, and of equally near ones the first.
+/// Of several primitives that are equally near, records the first that shows its front or, if none does, the first.
+/// Out of line, as what is rare.
+/// \param tied  the lanes in which more than one is met at rec.t
+template <class Ray, real T, record Record, class ForEach>
+[[gnu::cold, gnu::noinline]] RAIO_FN constexpr void record_front_first(mask_t<T> tied, const Ray& ray, T t_min,
+                                                                       Record& rec, ForEach for_each) {
+    const T t = select(tied, rec.t, t_min);
+    for (int sweep = 0; sweep < 2 && any(tied); ++sweep) {
+        const mask_t<T> any_side(sweep == 1);
+        index_t<T> index{};
+        for_each([&](const auto& primitive) {
+            auto seen = with_side<T>(rec);
+            const mask_t<T> met = tied && hit(primitive, ray, t_min, t, seen);
+            const mask_t<T> first = met && (any_side || mask_t<T>(seen.front_face));
+            if (any(first)) {
+                if constexpr (has_lanes<T>) {
+                    Record candidate = rec;
+                    hit(primitive, ray, t_min, t, candidate);
+                    put_index(candidate, index);
+                    assign(first, rec, candidate);
+                } else {
+                    hit(primitive, ray, t_min, t, rec);
+                    put_index(rec, index);
+                }
+                tied = tied && !first;
+            }
+            index = index + index_t<T>(1);
+            return any(tied);
+        });
+    }
+}
+
+/// `hit` of several primitives, one after the other: the nearest is hit, of equally near ones the first that shows its
+/// front or, if none does, the first.
 /// \param for_each  calls what it is given with one primitive after the other
 template <class Ray, real T, record Record, class ForEach>
 RAIO_FN constexpr mask_t<T> hit_nearest(const Ray& ray, T t_min, T t_max, Record& rec, ForEach for_each) {
-    mask_t<T> found = !(T(0) == T(0));
+    mask_t<T> found = !(T(0) == T(0)), tied = found;
     index_t<T> index{};
     for_each([&](const auto& primitive) {
         if constexpr (std::floating_point<T>) {
-            // What is nearer than all before goes straight into the record: a miss writes nothing.
+            // What is as near as all before, or nearer, goes straight into the record: a miss writes nothing.
             if (hit(primitive, ray, t_min, t_max, rec)) {
                 put_index(rec, index);
-                t_max = before(rec.t);
+                tied = found && rec.t == t_max;
+                t_max = rec.t;
                 found = true;
             }
         } else {
             Record candidate;
             const mask_t<T> met = hit(primitive, ray, t_min, select(found, rec.t, t_max), candidate);
             const mask_t<T> nearer = met && (!found || candidate.t < rec.t);
+            tied = !nearer && (tied || (met && candidate.t == rec.t));
             put_index(candidate, index);
             if (any(nearer)) assign(nearer, rec, candidate);
             found = found || nearer;
@@ -148,6 +183,8 @@ RAIO_FN constexpr mask_t<T> hit_nearest(const Ray& ray, T t_min, T t_max, Record
         index = index + index_t<T>(1);
         return true;
     });
+    if (any(tied)) [[unlikely]]
+        record_front_first(tied, ray, t_min, rec, for_each);
     return found;
 }
 

@@ -95,6 +95,27 @@ RAIO_FN constexpr void put_index(Record& rec, const Index& index) {
 
 }  // namespace detail
 
+namespace detail {
+
+/// The order of crossings along a ray: by t, at equal t the front faces first, and of equal ones the lowest index.
+template <real T>
+RAIO_FN constexpr bool comes_before(const hit_record<T>& a, const hit_record<T>& b) {
+    if (a.t != b.t) return a.t < b.t;
+    return a.front_face != b.front_face ? a.front_face : a.index < b.index;
+}
+
+/// A record that `hit` can fill as that one, and that says which side is hit.
+template <real T, record Record>
+RAIO_FN constexpr auto with_side(const Record& rec) {
+    if constexpr (has_front_face<Record>) {
+        return rec;
+    } else {
+        return hit_record<T>{};
+    }
+}
+
+}  // namespace detail
+
 /// The next number above t. The window of `hit` is closed, so that `shape.hit(ray, after(rec.t), t_max, rec)` finds the
 /// next crossing of the same ray; `rec.t + epsilon` is rec.t again where that is large.
 template <std::floating_point T>

@@ -5,6 +5,7 @@
 /// compile: `raio/bvh/bvh.hpp`, `raio/number/simd.hpp`.
 
 #include <raio/compose/any_primitive.hpp>
+#include <raio/compose/closed_surface.hpp>
 #include <raio/compose/csg.hpp>
 #include <raio/compose/group.hpp>
 #include <raio/compose/in_lanes.hpp>

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <tuple>
+
 #include <raio/shape/sphere.hpp>
 
 #include "support/random.hpp"
@@ -12,21 +14,21 @@ namespace {
 
 hit_record<float> record(float t, std::uint32_t index) {
     hit_record<float> rec{};
-    rec.t = t, rec.index = index;
+    rec.t = t, rec.index = index, rec.front_face = index % 2 == 1;
     return rec;
 }
 
-using listed = std::pair<float, std::uint32_t>;
+using listed = std::tuple<float, bool, std::uint32_t>;  // t, back or front, index
 
 std::vector<listed> places_of(std::span<const hit_record<float>> hits) {
     std::vector<listed> places;
-    for (const hit_record<float>& rec : hits) places.emplace_back(rec.t, rec.index);
+    for (const hit_record<float>& rec : hits) places.emplace_back(rec.t, !rec.front_face, rec.index);
     return places;
 }
 
 }  // namespace
 
-TEST_CASE("nearest_few, all_hits: sorted by t, then by index; the same crossing counts once") {
+TEST_CASE("nearest_few, all_hits: sorted by t, then fronts first, then by index; the same crossing counts once") {
     random_numbers random(1);
     for (int run = 0; run < 2000; ++run) {
         std::vector<listed> expected;
@@ -39,7 +41,7 @@ TEST_CASE("nearest_few, all_hits: sorted by t, then by index; the same crossing 
                 record(static_cast<float>(random.integer(0, 5)), static_cast<std::uint32_t>(random.integer(0, 3)));
             records[0] = rec;  // is no part of the room
             few.add(rec), all.add(rec);
-            expected.emplace_back(rec.t, rec.index);
+            expected.emplace_back(rec.t, !rec.front_face, rec.index);
             std::ranges::sort(expected);
             expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <map>
+#include <tuple>
 
 #include <raio/shape/convex_polyhedron.hpp>
 #include <raio/shape/sphere.hpp>
@@ -21,12 +21,13 @@ struct mark {
     bool exists;
     T t;
     int* asked;
+    bool front = false;
 
     bool occluded(const ray<T>&, T t_min, T t_max) const { return exists && t_min <= t && t <= t_max; }
     bool hit(const ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const {
         ++*asked;
         if (!occluded(ray, t_min, t_max)) return false;
-        rec = {}, rec.t = t, rec.point = vec3<T>(t, 0, 0);
+        rec = {}, rec.t = t, rec.point = vec3<T>(t, 0, 0), rec.front_face = front;
         return true;
     }
 };
@@ -84,7 +85,7 @@ TEST_CASE_TEMPLATE("nearest: what a loop finds, whatever packs know", T, RAIO_NU
         std::vector<known_mark<T>> all;
         const int count = random.integer(1, 30);
         for (int k = 0; k < count; ++k) {
-            known_mark<T> m{{!random.one_in(5), T(random.integer(0, 8)), &asked},
+            known_mark<T> m{{!random.one_in(5), T(random.integer(0, 8)), &asked, random.one_in(2)},
                             static_cast<std::uint32_t>(count - k),
                             !random.one_in(3),
                             T(random.integer(0, 4)) / 2};
@@ -99,8 +100,8 @@ TEST_CASE_TEMPLATE("nearest: what a loop finds, whatever packs know", T, RAIO_NU
         const known_mark<T>* expected = nullptr;
         for (const known_mark<T>& m : all) {
             if (!m.shape.occluded(along, t_min, t_max)) continue;
-            const bool first = expected == nullptr || m.shape.t < expected->shape.t ||
-                               (m.shape.t == expected->shape.t && m.id < expected->id);
+            const auto order = [](const known_mark<T>& of) { return std::tuple(of.shape.t, !of.shape.front, of.id); };
+            const bool first = expected == nullptr || order(m) < order(*expected);
             if (first) expected = &m;
         }
         hit_record<T> rec{};
@@ -115,7 +116,8 @@ TEST_CASE_TEMPLATE("nearest: what a loop finds, whatever packs know", T, RAIO_NU
         REQUIRE(query.finish() == (expected != nullptr));
         REQUIRE(rec.t == (expected != nullptr ? expected->shape.t : T(77)));
         REQUIRE(rec.index == (expected != nullptr ? expected->id : 77));
-        if (expected != nullptr) REQUIRE(rec.point == vec3<T>(rec.t, 0, 0));
+        if (expected != nullptr)
+            REQUIRE((rec.point == vec3<T>(rec.t, 0, 0) && rec.front_face == expected->shape.front));
         hits += expected != nullptr ? 1 : 0;
     }
     CHECK((hits > scenes / 5 * 2 && hits < scenes / 50 * 49));

@@ -41,8 +41,9 @@ void ask_all(const std::vector<Shape>& shapes, std::uint32_t first_id, const ray
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
         hit_record<T> rec{};
         if (!shapes[i].hit(ray, t_min, t_max, rec)) continue;
-        if (exists && !(rec.t < nearest.t)) continue;
-        exists = true, nearest = rec, nearest.index = first_id + i;
+        rec.index = first_id + i;
+        if (!exists || detail::comes_before(rec, nearest)) nearest = rec;
+        exists = true;
     }
 }
 

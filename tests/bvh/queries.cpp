@@ -8,6 +8,56 @@
 
 namespace raio::test {
 
+TEST_CASE_TEMPLATE("bvh: of equally near ones that which shows its front, however it is asked", T, RAIO_NUMBERS) {
+    // Sheets that show their fronts to both sides, in any order.
+    random_numbers random(31);
+    std::vector<triangle<T>> sheets;
+    for (int i = 0; i < 40; ++i) {
+        const triangle<T> up{{0, 0, T(i)}, {1, 0, T(i)}, {0, 1, T(i)}}, down{up.a, up.c, up.b};
+        for (const auto& one : random.one_in(2) ? std::array{up, down} : std::array{down, up}) sheets.push_back(one);
+    }
+    std::vector<quick<triangle<T>>> quick_sheets;
+    for (const triangle<T>& one : sheets) quick_sheets.push_back({one});
+    const bvh tree(sheets);
+    const bvh quick_tree(quick_sheets);
+    struct without_side {
+        T t;
+        std::uint32_t index;
+    };
+    for (int i = 0; i < 40; ++i) {
+        for (const T side : {T(1), T(-1)}) {
+            const ray<T> ray{{T(0.25), T(0.25), T(i) + side / 2}, {0, 0, -side}};
+            const auto first = static_cast<std::uint32_t>(2 * i);
+            const bool up_first =
+                cross(vec3<T>(sheets[first].b - sheets[first].a), vec3<T>(sheets[first].c - sheets[first].a)).z > 0;
+            const std::uint32_t index = first + (up_first == (side > 0) ? 0 : 1);
+            const auto check = [&](const auto& rec) { CHECK((rec.t == T(0.5) && rec.index == index)); };
+            const auto check_all = [&](const auto& of) {
+                hit_record<T> rec{};
+                REQUIRE(of.hit(ray, T(0), infinity<T>, rec));
+                check(rec);
+                CHECK(rec.front_face);
+                without_side other{};
+                REQUIRE(of.hit(ray, T(0), infinity<T>, other));
+                check(other);
+                REQUIRE(transformed{&of, translation<T>({0, 0, 0})}.hit(ray, T(0), infinity<T>, other));
+                check(other);
+                std::array<hit_record<T>, 2> two{};
+                REQUIRE(of.nearest_hits(ray, T(0), infinity<T>, two) == 2);
+                check(two[0]);
+                CHECK((two[1].index == (index ^ 1) && two[1].t == T(0.5) && !two[1].front_face));
+                std::vector<raio::ray<T>> rays(64, ray);  // side by side
+                for (std::size_t k = 0; k < 64; ++k) rays[k].origin.x += T(k) / 256;
+                std::vector<hit_record<T>> recs(64);
+                REQUIRE(of.hit(std::span<const raio::ray<T>>(rays), T(0), infinity<T>, recs) == ~std::uint64_t{0});
+                for (const hit_record<T>& each : recs) check(each);
+            };
+            check_all(tree);
+            check_all(quick_tree);
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("bvh: refit follows the shapes", T, RAIO_NUMBERS) {
     random_numbers random(17);
     auto shapes = random_shapes<sphere<T>>(random, 300);

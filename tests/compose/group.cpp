@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <raio/compose/quick.hpp>
+#include <raio/number/simd.hpp>
 #include <raio/shape/box.hpp>
 #include <raio/shape/plane.hpp>
 #include <raio/shape/sphere.hpp>
@@ -58,6 +60,72 @@ TEST_CASE_TEMPLATE("group: of equally near ones the first", T, RAIO_NUMBERS) {
     CHECK((rec.index == 0 && rec.uv == vec2<T>(0.5)));
     REQUIRE(group{std::vector{sphere, sphere, sphere}}.hit(down, T(0), infinity<T>, rec));
     CHECK(rec.index == 0);
+}
+
+TEST_CASE_TEMPLATE("group: of equally near ones that which shows its front, in any order", T, RAIO_NUMBERS) {
+    const triangle<T> up{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, down{up.a, up.c, up.b};
+    struct without_side {
+        T t;
+        std::uint32_t index;
+    };
+    const auto check = [](const auto& scene, const ray<T>& ray, std::uint32_t index, bool front) {
+        hit_record<T> rec{};
+        without_side other{};
+        REQUIRE(scene.hit(ray, T(0), infinity<T>, rec));
+        CHECK((rec.index == index && rec.front_face == front));
+        REQUIRE(scene.hit(ray, T(0), infinity<T>, other));
+        CHECK((other.index == index && other.t == rec.t));
+    };
+    const ray<T> from_above{{T(0.25), T(0.25), 2}, {0, 0, -1}}, from_below{{T(0.25), T(0.25), -2}, {0, 0, 1}};
+    using list = std::vector<triangle<T>>;
+    check(group{list{up, down}}, from_above, 0, true);
+    check(group{list{down, up}}, from_above, 1, true);
+    check(group{list{up, down}}, from_below, 1, true);
+    check(group{list{down, up}}, from_below, 0, true);
+    check(group{list{down, up, down, up}}, from_above, 1, true);
+    check(group{list{down, down, down}}, from_above, 0, false);
+    check(group{down, list{down}, group{list{down, up}}}, from_above, 2, true);
+    check(group{quick<triangle<T>>{down}, quick<triangle<T>>{up}}, from_above, 1, true);
+    // A nearer one behind two that are as near as each other.
+    const triangle<T> above{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+    check(group{list{down, up, above}}, from_above, 2, true);
+    check(group{list{down, up, {above.a, above.c, above.b}}}, from_above, 2, false);
+
+    // Who leaves a block enters the next one, whichever comes first.
+    const box<T> left{{0, 0, 0}, {1, 1, 1}}, right{{1, 0, 0}, {2, 1, 1}};
+    const ray<T> to_right{{T(0.5), T(0.5), T(0.5)}, {1, 0, 0}}, to_left{{T(1.5), T(0.5), T(0.5)}, {-1, 0, 0}};
+    check(group{left, right}, to_right, 1, true);
+    check(group{right, left}, to_right, 0, true);
+    check(group{left, right}, to_left, 0, true);
+}
+
+TEST_CASE_TEMPLATE("group: of equally near ones that which shows its front, in the lanes of packs", T, RAIO_NUMBERS) {
+    using P = pack<T>;
+    const triangle<P> up{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, down{up.a, up.c, up.b};
+    ray<P> rays{{P(T(0.25)), P(T(0.25)), 0}, {0, 0, 0}};
+    for (std::size_t lane = 0; lane < P::lanes; ++lane) {
+        const T side = lane % 2 == 0 ? T(1) : T(-1);
+        rays.origin.z.set(lane, side), rays.direction.z.set(lane, lane % 3 == 2 ? side : -side);
+    }
+    struct without_side {
+        P t;
+        index_t<P> index;
+    };
+    const auto check = [&](const auto& scene, auto index_of) {
+        hit_record<P> rec{};
+        without_side other{};
+        const mask_t<P> hit = scene.hit(rays, P(0), P(infinity<T>), rec);
+        CHECK(bits(scene.hit(rays, P(0), P(infinity<T>), other)) == bits(hit));
+        for (std::size_t lane = 0; lane < P::lanes; ++lane) {
+            CHECK(hit[lane] == (lane % 3 != 2));
+            if (!hit[lane]) continue;
+            CHECK((rec.index[lane] == index_of(lane) && other.index[lane] == index_of(lane)));
+            CHECK((rec.t[lane] == 1 && other.t[lane] == 1));
+        }
+    };
+    check(group{up, down}, [](std::size_t lane) { return lane % 2; });
+    check(group{down, up}, [](std::size_t lane) { return 1 - lane % 2; });
+    check(group{down, down, up, up}, [](std::size_t lane) { return lane % 2 == 0 ? 2u : 0u; });
 }
 
 TEST_CASE_TEMPLATE("group: a miss touches nothing", T, RAIO_NUMBERS) {
@@ -131,8 +199,10 @@ TEST_CASE_TEMPLATE("group: as the loop over its members", T, RAIO_NUMBERS) {
         bool found = false;
         std::uint32_t index = 0;
         const auto ask = [&](const auto& shape) {
-            if (shape.hit(ray, T(0), infinity<T>, candidate) && (!found || candidate.t < nearest.t)) {
-                nearest = candidate, nearest.index = index, found = true;
+            if (shape.hit(ray, T(0), infinity<T>, candidate)) {
+                candidate.index = index;
+                if (!found || detail::comes_before(candidate, nearest)) nearest = candidate;
+                found = true;
             }
             ++index;
         };

@@ -11,9 +11,10 @@ bool hit_loop(const heightfield<T>& field, const ray<T>& ray, T t_min, T t_max, 
     bool found = false;
     for (std::size_t i = 0; i < field.size(); ++i) {
         hit_record<T> candidate{};
-        if (!field[i].hit(ray, t_min, t_max, candidate) || (found && !(candidate.t < rec.t))) continue;
+        if (!field[i].hit(ray, t_min, t_max, candidate)) continue;
+        candidate.index = static_cast<std::uint32_t>(i);
+        if (found && !detail::comes_before(candidate, rec)) continue;
         rec = candidate;
-        rec.index = static_cast<std::uint32_t>(i);
         found = true;
     }
     return found;

@@ -89,9 +89,12 @@ template <class Shape>
 std::vector<Shape> random_shapes(random_numbers& random, int count) {
     std::vector<Shape> shapes;
     for (int i = 0; i < count; ++i) {
-        // One in ten stands there twice: of both the first is hit.
+        // One in ten stands there twice: of both the first is hit. Of triangles some show the other side.
         shapes.push_back(i > 0 && random.one_in(10) ? shapes[static_cast<std::size_t>(random.integer(0, i - 1))]
                                                     : random_shape<Shape>::make(random));
+        if constexpr (requires { shapes.back().c; }) {
+            if (random.one_in(3)) std::swap(shapes.back().b, shapes.back().c);
+        }
     }
     return shapes;
 }

@@ -17,11 +17,12 @@ namespace raio::inline RAIO_ABI::inline RAIO_REGISTERS {
 ///     raio::bvh<raio::triangle<float>> tree(triangles);
 ///     raio::bvh scene{raio::group{spheres, triangles}};    // two vectors: a bvh<sphere<float>, triangle<float>>
 ///
-/// It answers what the plain loop over all shapes answers, bit for bit: the nearest is hit, and of equally near ones
-/// the first. `hit_record::index` counts the shapes in the order in which they were given. The tree has as many
-/// children a node as the processor's registers have lanes, and its leaves are shapes in packs, eight together or, of
-/// those that take longer to test, one; they filter, and the plain shapes decide. So boxes, tree and packs make it fast
-/// and nothing else. Of many equal shapes in one place the first is asked for all of them.
+/// It answers what the plain loop over all shapes answers, bit for bit: the nearest is hit, of equally near ones the
+/// first that shows its front and, if none does, the first. `hit_record::index` counts the shapes in the order in which
+/// they were given. The tree has as many children a node as the processor's registers have lanes, and its leaves are
+/// shapes in packs, eight together or, of those that take longer to test, one; they filter, and the plain shapes
+/// decide. So boxes, tree and packs make it fast and nothing else. Of many equal shapes in one place the first is asked
+/// for all of them.
 ///
 /// The shapes are copied, but for those of a `bvh<mesh_triangle<T>>`. Every shape must have finite bounds; shapes
 /// without any point are left out.
@@ -162,7 +163,7 @@ public:
         return few.count();
     }
 
-    /// All crossings, in order.
+    /// All crossings, in order. (At an edge that triangles share there is one of each: see `passages`.)
     std::vector<hit_record<T>> all_hits(const ray<T>& ray, T t_min, T t_max) const {
         detail::all_hits<T> all(t_max);
         collect(ray, t_min, t_max, all, [](const hit_record<T>&) { return true; });
@@ -326,14 +327,6 @@ private:
 
     detail::assembled<P, Rest...> tree_;
 };
-
-/// Is the point inside of a closed surface, or on it? What is asked of a mesh, of its tree.
-template <bounded P, bounded... Rest>
-requires(!solid<bvh<P, Rest...>>) bool contains(const bvh<P, Rest...>& closed, const vec3<number_t<P>>& point) {
-    using T = number_t<P>;
-    return detail::is_inside_surface<T>(point,
-                                        [&](const ray<T>& ray) { return closed.all_hits(ray, T(0), infinity<T>); });
-}
 
 template <std::ranges::contiguous_range Shapes>
 bvh(const Shapes&, const bvh_options& = {}) -> bvh<std::ranges::range_value_t<Shapes>>;

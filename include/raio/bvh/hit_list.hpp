@@ -9,14 +9,10 @@
 #include <raio/concepts.hpp>
 
 /// \file
-/// Crossings in order along the ray: the nearest few, or all. Of equally near ones the lowest index comes first.
+/// Crossings in order along the ray: the nearest few, or all. Of equally near ones the front faces come first, and of
+/// these the lowest index.
 
 namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
-
-template <class T>
-bool comes_before(const hit_record<T>& a, const hit_record<T>& b) {
-    return a.t < b.t || (a.t == b.t && a.index < b.index);
-}
 
 template <class T>
 bool is_same_crossing(const hit_record<T>& a, const hit_record<T>& b) {

@@ -70,6 +70,21 @@ public:
         put_index(rec, at.id);
     }
 
+    /// Is the shape at that place, which is hit at t, seen from its front?
+    /// \param seen  room for what is recorded of it
+    template <class Ray, class T, record Record>
+    bool shows_front(const place_in_leaves& at, const Ray& ray, [[maybe_unused]] T t_min, T t, Record seen) const {
+        return with_kind(static_cast<std::uint32_t>(at.kind), [&](auto kind) {
+            const auto& shape = std::get<kind()>(all).shape(at.block, at.lane);
+            if constexpr (is_quick<std::remove_cvref_t<decltype(shape)>>) {
+                shape.record_at(ray, t, seen);
+                return bool(seen.front_face);
+            } else {
+                return detail::hit(shape, ray, t_min, t, seen) && bool(seen.front_face);
+            }
+        });
+    }
+
     /// `hit` of the shape at that place.
     template <std::size_t Kind, class Ray, class T, record Record>
     bool hit(const place_in_leaves& at, const Ray& ray, T t_min, T t_max, Record& rec) const {

@@ -9,9 +9,9 @@ namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 /// The nearest of all shapes that have been seen so far.
 ///
 /// As long as packs can tell who is nearer, nobody else is asked. Where two may be equally near, or a lane is open, the
-/// plain shapes decide, and of equally near ones the lowest id. So what is found is what a loop over `hit` finds; and
-/// of the one that is left, `hit` says the rest. Open lanes wait until all has been seen, since to ask a plain shape
-/// sweeps the ray out of the registers.
+/// plain shapes decide: of equally near ones that which shows its front, and of these the lowest id. So what is found
+/// is what a loop over `hit` finds; and of the one that is left, `hit` says the rest. Open lanes wait until all has
+/// been seen, since to ask a plain shape sweeps the ray out of the registers.
 template <class T, class Leaves, class Ray, record Record>
 class nearest {
 public:
@@ -38,7 +38,7 @@ public:
     /// Takes in what packs say of a shape: that it is hit between `low` and `high`.
     void consider(const place_in_leaves& at, T low, T high) {
         if constexpr (Leaves::are_quick) {
-            if (!exists_ || low < low_ || (low == low_ && at.id < at_.id)) take(at, low, high);
+            if (!exists_ || low < low_ || (low == low_ && comes_first(at))) take(at, low, high);
             return;
         }
         if (exists_ && high_ < low) return;
@@ -120,22 +120,50 @@ private:
         Record candidate;
         if (!leaves_.template hit<Kind>(at, ray_, t_min_, high_, candidate)) return;
         if (exists_ && !exact_ && !(candidate.t < low_)) make_exact();
-        if (exists_ && !(candidate.t < low_ || (candidate.t == low_ && at.id < at_.id))) return;
+        if (exists_ && !(candidate.t < low_ || (candidate.t == low_ && comes_first(at)))) return;
         take(at, candidate.t, candidate.t);
         assign(true, rec_, candidate);
         exact_ = true;
     }
 
     /// Asks the plain shape, whatever it is, which may write into the record what is not known here: it is given the
-    /// record itself, and a window in which it is the nearest.
+    /// record itself, and a window in which none is nearer.
     template <std::size_t Kind>
     void ask(const place_in_leaves& at) {
         if (exists_ && at.id == at_.id) return;
         if (exists_ && !exact_) make_exact();
-        const T t_max = !exists_ ? t_max_ : at.id < at_.id ? low_ : before(low_);
-        if (!leaves_.template hit<Kind>(at, ray_, t_min_, t_max, rec_)) return;
+        if (!leaves_.template hit<Kind>(at, ray_, t_min_, exists_ ? low_ : t_max_, rec_)) return;
+        if (exists_ && rec_.t == low_ && !comes_first(at)) [[unlikely]]
+            return record_again();
         take(at, rec_.t, rec_.t);
         exact_ = true;
+    }
+
+    /// Is a shape that is as near as the nearest to be preferred?
+    bool comes_first(const place_in_leaves& at) const {
+        return at.id != at_.id && comes_before(leaves_, ray_, t_min_, low_, at, at_, rec_);
+    }
+
+    /// Does one of two that are hit at t come before the other? (Not asked of the query itself, whose members stay in
+    /// registers.)
+    [[gnu::cold, gnu::noinline]] static bool comes_before(const Leaves& leaves, const Ray& ray, T t_min, T t,
+                                                          place_in_leaves one, place_in_leaves other,
+                                                          [[maybe_unused]] const Record& rec) {
+        const auto shows_front = [&](const place_in_leaves& at) {
+            if constexpr (Leaves::are_quick) {  // nothing has been recorded yet
+                return leaves.shows_front(at, ray, t_min, t, decltype(with_side<T>(rec)){});
+            } else {
+                return leaves.shows_front(at, ray, t_min, t, with_side<T>(rec));
+            }
+        };
+        const bool front = shows_front(one);
+        return front == shows_front(other) ? one.id < other.id : front;
+    }
+
+    /// Another one has written into the record.
+    [[gnu::cold, gnu::noinline]] void record_again() {
+        Leaves::with_kind(static_cast<std::uint32_t>(at_.kind),
+                          [&](auto kind) { leaves_.template hit<kind()>(at_, ray_, t_min_, low_, rec_); });
     }
 
     const Leaves& leaves_;

@@ -49,8 +49,8 @@ consteval std::size_t room_of_member() {
 
 }  // namespace detail
 
-/// Several primitives of several types, tested one after the other. The nearest is hit, and of equally near ones the
-/// first.
+/// Several primitives of several types, tested one after the other. The nearest is hit, of equally near ones the first
+/// that shows its front and, if none does, the first.
 ///
 ///     raio::group scene{floor, spheres, triangles};   // a plane, a vector of spheres, a span of triangles
 ///

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <raio/compose/closed_surface.hpp>
 #include <raio/failure.hpp>
 #include <raio/number/simd.hpp>
 #include <raio/shape/triangle.hpp>
@@ -21,7 +20,7 @@ namespace raio::inline RAIO_ABI {
 ///
 /// It is a range of triangles, made as they are asked for. To rays it is the loop over them, for few of them and for
 /// tests; for many there is `bvh(mesh)`. A mesh is closed to rays if it is closed: triangles are exact, so that no ray
-/// slips between two that share an edge.
+/// slips between two that share an edge. Of a closed one there is `contains` and `passages`.
 ///
 /// What a vertex has beside its place is of no concern to rays, and is interpolated where one has hit.
 template <real T>
@@ -55,6 +54,19 @@ struct mesh {
             if ((*this)[i].occluded(ray, t_min, t_max)) return true;
         }
         return false;
+    }
+
+    /// All crossings, in order.
+    std::vector<hit_record<T>> all_hits(const ray<T>& ray, T t_min, T t_max) const {
+        std::vector<hit_record<T>> hits;
+        for (std::size_t i = 0; i < size(); ++i) {
+            hit_record<T> rec;
+            if (!(*this)[i].hit(ray, t_min, t_max, rec)) continue;
+            rec.index = static_cast<std::uint32_t>(i);
+            hits.push_back(rec);
+        }
+        std::ranges::sort(hits, detail::comes_before<T>);
+        return hits;
     }
 
     /// Vertices that no triangle has do not count.
@@ -98,67 +110,6 @@ private:
         return of[a] * (T(1) - rec.uv.x - rec.uv.y) + of[b] * rec.uv.x + of[c] * rec.uv.y;
     }
 };
-
-namespace detail {
-
-/// Rays along none of the axes, diagonals or other directions that shapes are made of.
-template <class T>
-inline constexpr std::array<vec3<T>, 8> any_directions{
-    vec3<T>(T(0.5547), T(0.7193), T(0.4181)),   vec3<T>(T(-0.6121), T(0.3517), T(0.7083)),
-    vec3<T>(T(0.2399), T(-0.8363), T(0.4931)),  vec3<T>(T(0.7687), T(0.1451), T(-0.6229)),
-    vec3<T>(T(-0.3307), T(-0.5813), T(-0.744)), vec3<T>(T(-0.8839), T(0.4217), T(-0.2027)),
-    vec3<T>(T(0.1153), T(0.9433), T(-0.3121)),  vec3<T>(T(0.4729), T(-0.3911), T(0.7897))};
-
-/// Is the point inside from which a ray has met a closed surface there? Each passage is counted once: at an edge or a
-/// vertex all faces that share it are met at one t. Nothing, if it is not known what happens at a vertex.
-/// \param hits  all of them, sorted by t; on the surface is inside as well
-/// \param last  says something in any case
-template <class T>
-std::optional<bool> is_inside(std::span<const hit_record<T>> hits, bool last) {
-    bool inside = false;
-    for (auto next = hits.begin(); next != hits.end();) {
-        const auto end = std::find_if(next, hits.end(), [&](const auto& rec) { return rec.t != next->t; });
-        const auto fronts = std::count_if(next, end, [](const auto& rec) { return rec.front_face; });
-        const auto backs = end - next - fronts;
-        if (next->t == T(0)) return true;
-        if (fronts == 0 || backs == 0 || (last && fronts != backs)) {
-            inside = !inside;
-        } else if (!last && (fronts > 1 || backs > 1)) {
-            return std::nullopt;
-        }  // an edge that is touched, or a wall that is thinner than t tells
-        next = end;
-    }
-    return inside;
-}
-
-/// The same of a surface. Where one ray meets vertices and leaves it open, another is asked.
-/// \param all_hits  answers with those of a ray, sorted by t
-template <class T, class AllHits>
-bool is_inside_surface(const vec3<T>& point, AllHits all_hits) {
-    for (const vec3<T>& direction : any_directions<T>) {
-        const std::vector<hit_record<T>> hits = all_hits(ray<T>{point, direction});
-        if (const auto inside = is_inside<T>(hits, &direction == &any_directions<T>.back())) return *inside;
-    }
-    return false;
-}
-
-}  // namespace detail
-
-/// Is the point inside of a closed mesh, or on it? The fronts may be inside or outside, if neighbours agree. As exact
-/// as a ray from there: by whether it crosses an odd number of times, where an edge that triangles share is one
-/// crossing.
-template <real T>
-bool contains(const mesh<T>& closed, const vec3<T>& point) {
-    return detail::is_inside_surface<T>(point, [&](const ray<T>& ray) {
-        std::vector<hit_record<T>> hits;
-        for (std::size_t i = 0; i < closed.size(); ++i) {
-            hit_record<T> rec;
-            if (closed[i].hit(ray, T(0), infinity<T>, rec)) hits.push_back(rec);
-        }
-        std::ranges::sort(hits, {}, &hit_record<T>::t);
-        return hits;
-    });
-}
 
 /// One triangle of a mesh, by its number; the mesh has to live longer. A tree of these, `bvh<mesh_triangle<T>>(mesh)`,
 /// leaves the corners in the mesh: it takes less memory than one that has copied them, and more time.

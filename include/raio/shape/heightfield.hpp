@@ -47,11 +47,9 @@ struct heightfield {
         hit_record<T> nearest;
         walk(ray, t_min, t_max, [&](std::size_t i) {
             hit_record<T> candidate;
-            // Of equally near triangles the first is hit, in whatever order they are asked.
-            if ((*this)[i].hit(ray, t_min, found ? nearest.t : t_max, candidate) &&
-                (!found || candidate.t < nearest.t || i < nearest.index)) {
-                nearest = candidate;
-                nearest.index = static_cast<std::uint32_t>(i);
+            if ((*this)[i].hit(ray, t_min, found ? nearest.t : t_max, candidate)) {
+                candidate.index = static_cast<std::uint32_t>(i);
+                if (!found || detail::comes_before(candidate, nearest)) nearest = candidate;
                 found = true;
             }
             return found ? nearest.t : t_max;
