@@ -20,7 +20,7 @@
 /// else happens at a vertex is not known from that, nor where passages do not go in and out by turns: where a ray runs
 /// in the plane of a face, or where the t of two faces that share an edge have been rounded apart.
 
-namespace raio {
+namespace raio::inline RAIO_ABI {
 
 /// A surface that tells all crossings with a ray, and has no inside of its own: a mesh, or the tree of one.
 template <class P>
