@@ -5,21 +5,9 @@
 #include <span>
 #include <vector>
 
-#include <raio/bvh/bvh.hpp>
-#include <raio/compose/group.hpp>
-
 #include "scene.hpp"
 
 namespace render {
-
-/// What holds shapes of every type that a variant can be.
-template <class Variant>
-struct kinds_of;
-template <class... Shapes>
-struct kinds_of<std::variant<Shapes...>> {
-    using group = raio::group<std::vector<Shapes>...>;
-    using tree = raio::bvh<Shapes...>;
-};
 
 /// An object that shines and that points can be chosen on.
 struct emitter {
@@ -52,10 +40,10 @@ public:
     const emitter* emitter_at(const hit_record& rec) const;
 
 private:
+    struct surfaces;
+
     render::scene scene_;
-    kinds_of<shape>::tree tree_;
-    std::uint32_t tree_size_ = 0;
-    kinds_of<shape>::group endless_;
+    std::shared_ptr<const surfaces> surfaces_;
     std::vector<emitter> emitters_;  ///< in the order of their objects
 };
 
