@@ -1,7 +1,6 @@
 // Stands before all that a header of raio includes, and pop_macros.hpp at its end: between them these words are free of
 // what windows.h, Qt and others define them to be, and afterwards everything is as it was. (No #pragma once: it is
 // included again and again.)
-#include <raio/config.hpp>
 
 #pragma push_macro("check")
 #undef check
@@ -21,3 +20,5 @@
 #undef near
 #pragma push_macro("small")
 #undef small
+
+#include <raio/abi.hpp>

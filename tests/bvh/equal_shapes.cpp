@@ -53,16 +53,16 @@ void check_all_hits(const Tree& tree, const Loop& loop, random_numbers& random) 
         }
         std::ranges::stable_sort(expected, {}, &hit_record<T>::t);
         several += expected.size() > 100 ? 1 : 0;
-        REQUIRE(std::ranges::equal(tree.all_hits(q.ray, q.t_min, q.t_max), expected, same<T>));
+        REQUIRE(std::ranges::equal(tree.all_hits(q.ray, q.t_min, q.t_max), expected, test::same<T>));
         std::array<hit_record<T>, 5> few;
         const std::size_t count = std::min(few.size(), expected.size());
         REQUIRE(tree.nearest_hits(q.ray, q.t_min, q.t_max, few) == count);
-        REQUIRE(std::equal(few.begin(), few.begin() + std::ptrdiff_t(count), expected.begin(), same<T>));
+        REQUIRE(std::equal(few.begin(), few.begin() + std::ptrdiff_t(count), expected.begin(), test::same<T>));
         const auto late = [](const hit_record<T>& rec) { return rec.index > 700; };
         const auto first = std::ranges::find_if(expected, late);
         hit_record<T> rec{};
         REQUIRE(tree.hit(q.ray, q.t_min, q.t_max, rec, late) == (first != expected.end()));
-        REQUIRE(same(rec, first != expected.end() ? *first : hit_record<T>{}));
+        REQUIRE(test::same(rec, first != expected.end() ? *first : hit_record<T>{}));
         REQUIRE(tree.occluded(q.ray, q.t_min, q.t_max, late) == (first != expected.end()));
     }
     CHECK(several > 10);

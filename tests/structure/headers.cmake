@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # The floors of the library, lowest first. A header includes headers of lower floors, and of its own without a cycle.
 set(floors
-    "(config|failure|push_macros|pop_macros)\\.hpp"
+    "(config|abi|failure|push_macros|pop_macros)\\.hpp"
     "number/.*"
     "math/.*"
     "(ray|aabb|hit_record|surface_sample)\\.hpp"
@@ -67,12 +67,12 @@ foreach(header IN LISTS headers)
     endif()
     file(STRINGS ${path} lines REGEX "^[ \t]*#[ \t]*define[ \t]")
     foreach(line IN LISTS lines)
-        if(NOT header STREQUAL "config.hpp" OR NOT line MATCHES "define[ \t]+RAIO_[A-Z_]+([ \t(]|$)")
+        if(NOT header MATCHES "^(config|abi)\\.hpp$" OR NOT line MATCHES "define[ \t]+RAIO_[A-Z_]+([ \t(]|$)")
             problem("${header} defines a macro: ${line}")
         endif()
     endforeach()
 
-    # Every name says the settings that it depends on: see config.hpp.
+    # Every name says the settings that it depends on: see abi.hpp.
     set(opened "raio::inline RAIO_ABI(::detail)?")
     if(header MATCHES "^bvh/|^number/(simd|pack)" AND NOT header STREQUAL "bvh/options.hpp")
         file(STRINGS ${path} lines REGEX "^namespace ${opened}::inline RAIO_REGISTERS {$")
@@ -95,7 +95,7 @@ foreach(header IN LISTS headers)
         endif()
         # Macros of others are put aside first of all, and are back at its end.
         file(READ ${path} text)
-        if(NOT header MATCHES "^(raio|config)\\.hpp$" AND
+        if(NOT header MATCHES "^(raio|config|abi)\\.hpp$" AND
            NOT text MATCHES "^#pragma once\n\n#include <raio/push_macros\\.hpp>\n.*\n#include <raio/pop_macros\\.hpp>\n$")
             problem("${header} does not include push_macros.hpp first and pop_macros.hpp last")
         endif()
