@@ -130,6 +130,6 @@ std::vector<hit_record<number_t<P>>> passages(const P& closed, const ray<number_
     return found;
 }
 
-}  // namespace raio
+}  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -166,9 +166,9 @@ public:
 
     /// What a shape has recorded that knows plain rays only, as it is seen.
     RAIO_FN constexpr hit_record<T> seen(hit_record<T> rec) const {
-        const auto [origin, direction] = rounded();
+        const auto [from, along] = rounded();
         // The mapped ray was rounded, and so is the mapped point.
-        const T rounding = norm1(origin) + norm1(direction) * abs(rec.t);
+        const T rounding = norm1(from) + norm1(along) * abs(rec.t);
         rec.error = vec3<T>(stretched(norm1(rec.error) + rounding * T(4 * unit_roundoff<T>)));
         rec.point = within_range(vec3<T>(point(vec3<Q>(rec.point))));
         rec.error += abs(rec.point) * T(unit_roundoff<T>);
