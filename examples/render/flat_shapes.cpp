@@ -55,7 +55,7 @@ shape read_heightfield(tokens& in, int) {
     for (std::size_t left = columns * rows; left > 0; --left) {
         field.heights.push_back(in.expect_number("a height of a heightfield"));
     }
-    return std::move(field);
+    return field;
 }
 
 }  // namespace

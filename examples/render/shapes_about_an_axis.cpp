@@ -60,7 +60,7 @@ shape read_surface_of_revolution(tokens& in, int) {
             in.fail("a profile that sweeps no area", "points that are not all on the axis");
         }
     }
-    return std::move(surface);
+    return surface;
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 #include <raio/compose/mesh.hpp>
 
 /// \file
-/// Equal shapes: every ray that meets one of them meets all, at one t, and the first is hit. Where there are many in
-/// one place, no tree divides them. So it holds the first only, and says here for whom that stands.
+/// Equal shapes: every ray that meets one of them meets all, at one t and on one side, and the first is hit. Where
+/// there are many in one place, no tree divides them. So it holds the first only, and says here for whom that stands.
 
 namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
