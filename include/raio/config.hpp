@@ -21,10 +21,8 @@
 
 /// Stands before what asks for the formulas of shapes: whatever it calls becomes part of it. Where a file has many
 /// shapes, a compiler's budget for inlining is soon spent, and a formula that is called step by step costs up to three
-/// times as much. Where compiling takes longer than what is compiled will ever run, define RAIO_QUICK_TO_COMPILE.
-#if defined(RAIO_QUICK_TO_COMPILE)
-#define RAIO_FLATTEN
-#else
+/// times as much. (Tests, which run briefly, define it as nothing.)
+#if !defined(RAIO_FLATTEN)
 #define RAIO_FLATTEN [[gnu::flatten]]
 #endif
 

@@ -126,7 +126,7 @@ def outcome(mutation, folder, arguments):
         for test in TESTS[mutation.header]:
             programs.append(folder / test.replace("/", "_"))
             compiled = subprocess.run(
-                [arguments.compiler, "-std=c++20", "-O1", "-w", "-DRAIO_QUICK_TO_COMPILE", "-DGLM_FORCE_XYZW_ONLY",
+                [arguments.compiler, "-std=c++20", "-O1", "-w", "-DRAIO_FLATTEN=", "-DGLM_FORCE_XYZW_ONLY",
                  f"-I{folder}/include", f"-I{ROOT}/tests", f"{ROOT}/tests/{test}.cpp",
                  *map(str, folder.parent.glob("*.o")), "-lmpfr", "-lgmp", "-o", str(programs[-1])],
                 capture_output=True)
