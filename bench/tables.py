@@ -154,3 +154,11 @@ def markdown(results):
         table(["shape", "call"] + columns, times),
         "Million rays per second:",
         table(["shape", "call"] + columns, rate)]) + "\n"
+
+
+def update(readme, what, text):
+    """Puts the text into a README between the lines that say who writes there."""
+    start, end = f"<!-- {what} writes from here -->\n", "<!-- to here -->\n"
+    before, rest = readme.read_text().split(start)
+    old, after = rest.split(end, 1)
+    readme.write_text(before + start + "\n" + text + "\n" + end + after)
