@@ -282,7 +282,9 @@ TEST_CASE_TEMPLATE("csg: solids are shared, mapped and grouped like any other", 
     const group scene{mirrored, ball};
     hit_record<T> rec{};
     REQUIRE(scene.hit({{-9, 0, 0}, {1, 0, 0}}, T(7.5), infinity<T>, rec));
-    CHECK((rec.t == T(8) && rec.index == 0 && !rec.front_face));
+    CHECK((rec.t == T(8) && rec.index == 1 && rec.front_face));  // the ball begins where the shell ends
+    REQUIRE(mirrored.hit({{-9, 0, 0}, {1, 0, 0}}, T(7.5), infinity<T>, rec));
+    CHECK((rec.t == T(8) && !rec.front_face));
     REQUIRE(scene.spans({{-9, 0, 0}, {1, 0, 0}}).count == 1);
     CHECK(mirrored.spans({{-9, 0, 0}, {1, 0, 0}}).count == 2);
     CHECK((shell.bounds().contains({T(0.9), 0, 0}) && !shell.bounds().contains({T(1.1), 0, 0})));

@@ -51,7 +51,7 @@ oracle::oracle(double x) : oracle() {
     }
     stored& made = *std::launder(reinterpret_cast<stored*>(number_.data()));
     made.digits = {};
-    made.digits.back() = mp_limb_t(bits << 11 | std::uint64_t{1} << 63);
+    made.digits.back() = bits << 11 | std::uint64_t{1} << 63;
     mpfr_custom_init_set(&made.number, x < 0 ? -MPFR_REGULAR_KIND : MPFR_REGULAR_KIND, exponent - 1022, limits::digits,
                          made.digits.data());
 }

@@ -78,38 +78,31 @@ RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit vis
     return false;
 }
 
-/// The same question, if the quick crossing has not answered it: the exact formula decides. Out of line, and without
-/// what is known already: where this is rare, it must not cost the common case its registers.
-template <real T, class Shape, class Origin, class Then>
+/// The same question, if the quick crossings have not answered it: the exact formula decides. Out of line, and given no
+/// more than what is in memory or is known already: where this is rare, it must not cost the common case its registers.
+template <real T, class Shape, class Origin, class Quick, class Then>
 RAIO_RARELY RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const Origin& origin, T t_min, T t_max,
-                                                      Then then) {
+                                                      const Quick& quick, Then then) {
     const auto& ray = made_of(origin);
-    using W = working_t<T>;
-    using X = exact_t<T>;
-    if constexpr (works_first<T> && keeps_all_digits<T>) {
+    const auto exact = [&] { return crossings_for<exact_t<T>, question::where>(shape, ray, t_min, t_max); };
+    if constexpr (keeps_all_digits<T>) {
         bool met = false;
-        visit_recorded<T>(
-            crossings_for<W, question::where>(shape, ray, t_min, t_max),
-            [&] { return crossings_for<X, question::where>(shape, ray, t_min, t_max); },
-            [&](const auto& c) {
-                auto first = first_in_window(c, t_min, t_max);
-                if (!first.exists) return false;
-                met = then(ray, first);
-                return true;
-            });
+        visit_recorded<T>(quick, exact, [&](const auto& c) {
+            auto first = first_in_window(c, t_min, t_max);
+            if (!first.exists) return false;
+            met = then(ray, first);
+            return true;
+        });
         return met;
     } else {
-        auto exact = first_in_window(crossings_for<X, question::where>(shape, ray, t_min, t_max), t_min, t_max);
-        if constexpr (works_first<T>) {
+        auto first = first_in_window(exact(), t_min, t_max);
+        if (!first.exists) {
             // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
             // range.
-            if (!exact.exists) {
-                auto [quick, known] = settled_in_window<question::whether>(
-                    crossings_for<W, question::where>(shape, ray, t_min, t_max), t_min, t_max);
-                if (known && quick.exists) return then(ray, quick);
-            }
+            auto [still, known] = settled_in_window<question::whether>(quick, t_min, t_max);
+            if (known && still.exists) return then(ray, still);
         }
-        return then(ray, exact);
+        return then(ray, first);
     }
 }
 
@@ -117,14 +110,24 @@ RAIO_RARELY RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const 
 template <question Asked, real T, class Shape, class Ray, class Then>
 RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T>) {
+        using W = working_t<T>;
         keep_as_stored<T>(shape, unmapped(ray));
-        auto found = crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max);
+        auto found = crossings_for<W, Asked>(shape, ray, t_min, t_max);
         if (missed(found)) return mask_t<T>(false);
         auto [first, known] = settled_in_window<Asked>(found, t_min, t_max);
         if (known) [[likely]]
             return then(ray, first);
+        if constexpr (Asked == question::only_where) {
+            const auto all = crossings_for<W, question::where>(shape, ray, t_min, t_max);
+            return settle_closer(shape, origin_of(ray), t_min, t_max, all, then);
+        } else {
+            const auto all = found;  // a copy: what is never handed out can stay in registers
+            return settle_closer(shape, origin_of(ray), t_min, t_max, all, then);
+        }
+    } else {
+        return then(
+            ray, first_in_window(crossings_for<exact_t<T>, question::where>(shape, ray, t_min, t_max), t_min, t_max));
     }
-    return settle_closer(shape, origin_of(ray), t_min, t_max, then);
 }
 
 }  // namespace detail
