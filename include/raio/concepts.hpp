@@ -127,8 +127,8 @@ RAIO_FN constexpr mask_t<T> hit_in_between(const P& shape, const Ray& ray, T t_m
 /// Out of line, as what is rare.
 /// \param tied  the lanes in which more than one is met at rec.t
 template <class Ray, real T, record Record, class ForEach>
-[[gnu::cold, gnu::noinline]] RAIO_FN constexpr void record_front_first(mask_t<T> tied, const Ray& ray, T t_min,
-                                                                       Record& rec, ForEach for_each) {
+RAIO_RARELY RAIO_FN constexpr void record_front_first(mask_t<T> tied, const Ray& ray, T t_min, Record& rec,
+                                                      ForEach for_each) {
     const T t = select(tied, rec.t, t_min);
     for (int sweep = 0; sweep < 2 && any(tied); ++sweep) {
         const mask_t<T> any_side(sweep == 1);

@@ -146,9 +146,8 @@ private:
 
     /// Does one of two that are hit at t come before the other? (Not asked of the query itself, whose members stay in
     /// registers.)
-    [[gnu::cold, gnu::noinline]] static bool comes_before(const Leaves& leaves, const Ray& ray, T t_min, T t,
-                                                          place_in_leaves one, place_in_leaves other,
-                                                          [[maybe_unused]] const Record& rec) {
+    RAIO_RARELY static bool comes_before(const Leaves& leaves, const Ray& ray, T t_min, T t, place_in_leaves one,
+                                         place_in_leaves other, [[maybe_unused]] const Record& rec) {
         const auto shows_front = [&](const place_in_leaves& at) {
             if constexpr (Leaves::are_quick) {  // nothing has been recorded yet
                 return leaves.shows_front(at, ray, t_min, t, decltype(with_side<T>(rec)){});
@@ -161,7 +160,7 @@ private:
     }
 
     /// Another one has written into the record.
-    [[gnu::cold, gnu::noinline]] void record_again() {
+    RAIO_RARELY void record_again() {
         Leaves::with_kind(static_cast<std::uint32_t>(at_.kind),
                           [&](auto kind) { leaves_.template hit<kind()>(at_, ray_, t_min_, low_, rec_); });
     }
