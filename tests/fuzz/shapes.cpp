@@ -6,6 +6,8 @@
 #include <span>
 #include <stdexcept>
 
+#include <raio/bvh/bvh.hpp>
+
 #include "support/properties.hpp"
 
 /// One input of the fuzzer, and of replay.cpp: any bits as shape, ray and window. Whatever they are, the answer is no,
