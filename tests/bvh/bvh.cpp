@@ -60,7 +60,8 @@ template <class T>
 void check_aimed(const std::vector<sphere<T>>& shapes, bvh_quality quality) {
     const bvh<sphere<T>> tree(shapes, {.quality = quality});
     const group loop{shapes};
-    for (const sphere<T>& s : shapes) {
+    for (std::size_t i = 0; i < shapes.size(); i += 1 + shapes.size() / 300) {
+        const sphere<T>& s = shapes[i];
         for (const vec3<T>& side : {vec3<T>(1, 2, 3), vec3<T>(-3, 0, 0), vec3<T>(0, 0, 0)}) {
             const ray<T> ray{s.center + side * s.radius, vec3<T>(-1, -2, -3) * s.radius};
             hit_record<T> expected{}, found{};

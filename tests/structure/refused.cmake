@@ -6,7 +6,11 @@ cmake_minimum_required(VERSION 3.25)
 list(TRANSFORM INCLUDES PREPEND "-I")
 
 function(compile name line)
-    file(WRITE ${FOLDER}/${name}.cpp "#include <raio/bvh/bvh.hpp>
+    set(trees "")
+    if(line MATCHES "bvh")
+        set(trees "#include <raio/bvh/bvh.hpp>")
+    endif()
+    file(WRITE ${FOLDER}/${name}.cpp "${trees}
 #include <raio/raio.hpp>
 
 int main() {
