@@ -78,16 +78,36 @@ RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit vis
     return false;
 }
 
+/// Nothing has been kept of what the quick formula has found.
+struct not_kept {};
+
+/// A shape whose quick formula takes less time than to keep what it has found.
+template <class Shape>
+concept is_found_again = requires {
+    requires Shape::is_found_again;
+};
+
 /// The same question, if the quick crossings have not answered it: the exact formula decides. Out of line, and given no
 /// more than what is in memory or is known already: where this is rare, it must not cost the common case its registers.
-template <real T, class Shape, class Origin, class Quick, class Then>
+/// \param kept  what the quick formula has found
+template <real T, class Shape, class Origin, class Kept, class Then>
 RAIO_RARELY RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const Origin& origin, T t_min, T t_max,
-                                                      const Quick& quick, Then then) {
+                                                      const Kept& kept, Then then) {
     const auto& ray = made_of(origin);
-    const auto exact = [&] { return crossings_for<exact_t<T>, question::where>(shape, ray, t_min, t_max); };
+    const auto found_in = [&]<class W>(const W&) {
+        return crossings_for<W, question::where>(shape, ray, t_min, t_max);
+    };
+    const auto exact = [&] { return found_in(exact_t<T>()); };
+    const auto quick = [&] {
+        if constexpr (std::same_as<Kept, not_kept>) {
+            return found_in(working_t<T>());
+        } else {
+            return kept;
+        }
+    };
     if constexpr (keeps_all_digits<T>) {
         bool met = false;
-        visit_recorded<T>(quick, exact, [&](const auto& c) {
+        visit_recorded<T>(quick(), exact, [&](const auto& c) {
             auto first = first_in_window(c, t_min, t_max);
             if (!first.exists) return false;
             met = then(ray, first);
@@ -99,7 +119,7 @@ RAIO_RARELY RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const 
         if (!first.exists) {
             // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
             // range.
-            auto [still, known] = settled_in_window<question::whether>(quick, t_min, t_max);
+            auto [still, known] = settled_in_window<question::whether>(quick(), t_min, t_max);
             if (known && still.exists) return then(ray, still);
         }
         return then(ray, first);
@@ -110,19 +130,17 @@ RAIO_RARELY RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const 
 template <question Asked, real T, class Shape, class Ray, class Then>
 RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_min, T t_max, Then then) {
     if constexpr (works_first<T>) {
-        using W = working_t<T>;
         keep_as_stored<T>(shape, unmapped(ray));
-        auto found = crossings_for<W, Asked>(shape, ray, t_min, t_max);
+        auto found = crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max);
         if (missed(found)) return mask_t<T>(false);
         auto [first, known] = settled_in_window<Asked>(found, t_min, t_max);
         if (known) [[likely]]
             return then(ray, first);
-        if constexpr (Asked == question::only_where) {
-            const auto all = crossings_for<W, question::where>(shape, ray, t_min, t_max);
-            return settle_closer(shape, origin_of(ray), t_min, t_max, all, then);
+        if constexpr (Asked == question::only_where || is_found_again<Shape>) {
+            return settle_closer(shape, origin_of(ray), t_min, t_max, not_kept{}, then);
         } else {
-            const auto all = found;  // a copy: what is never handed out can stay in registers
-            return settle_closer(shape, origin_of(ray), t_min, t_max, all, then);
+            const auto kept = found;  // a copy: what is never handed out can stay in registers
+            return settle_closer(shape, origin_of(ray), t_min, t_max, kept, then);
         }
     } else {
         return then(
