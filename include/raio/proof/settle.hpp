@@ -81,11 +81,11 @@ RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit vis
 /// Nothing has been kept of what the quick formula has found.
 struct not_kept {};
 
-/// A shape whose quick formula takes less time than to keep what it has found.
-template <class Shape>
-concept is_found_again = requires {
-    requires Shape::is_found_again;
-};
+/// Is it kept? Not of a chord: often nobody has asked for its far end, which would have to be computed to be kept.
+template <class Found>
+inline constexpr bool is_kept = true;
+template <class W>
+inline constexpr bool is_kept<chord<W>> = false;
 
 /// The same question, if the quick crossings have not answered it: the exact formula decides. Out of line, and given no
 /// more than what is in memory or is known already: where this is rare, it must not cost the common case its registers.
@@ -136,11 +136,11 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_
         auto [first, known] = settled_in_window<Asked>(found, t_min, t_max);
         if (known) [[likely]]
             return then(ray, first);
-        if constexpr (Asked == question::only_where || is_found_again<Shape>) {
-            return settle_closer(shape, origin_of(ray), t_min, t_max, not_kept{}, then);
-        } else {
+        if constexpr (Asked != question::only_where && is_kept<decltype(found)>) {
             const auto kept = found;  // a copy: what is never handed out can stay in registers
             return settle_closer(shape, origin_of(ray), t_min, t_max, kept, then);
+        } else {
+            return settle_closer(shape, origin_of(ray), t_min, t_max, not_kept{}, then);
         }
     } else {
         return then(

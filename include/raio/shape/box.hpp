@@ -57,8 +57,6 @@ struct box {
         return s;
     }
 
-    static constexpr bool is_found_again = true;  ///< the crossings take less time than to keep them (proof/settle.hpp)
-
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         using W = typename Line::number;
