@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("passages: of a cube, through its faces, edges and corners", 
     random_numbers random(3);
     const auto number = [&] { return T(random.integer(-6, 6)) / 2; };
     int through = 0, many = 0, touched = 0;
-    for (int i = 0; i < at_least(20'000); ++i) {
+    for (int i = 0; i < share_of(20'000); ++i) {
         const vec3<T> from(number(), number(), number()), to(number(), number(), number());
         if (from == to) continue;
         const ray<T> ray{from, to - from};
@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("passages: of a cube, through its faces, edges and corners", 
         CHECK(passages_of<T>(m, tree, ray, -infinity<T>, before(found[1].t)).size() == 1);
         CHECK(passages_of<T>(m, tree, ray, after(found[0].t), before(found[1].t)).empty());
     }
-    CHECK((through > 1000 && many > 1000 && touched > 100));
+    CHECK((through > share_of(1000) && many > share_of(1000) && touched > share_of(100)));
 }
 
 TEST_CASE_TEMPLATE("passages: of a sphere of triangles, through its vertices and edges", T, RAIO_NUMBERS) {
@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE("passages: of a sphere of triangles, through its vertices and
         for (const triangle<T>& t : triangles) check(t.a), check((t.a + t.b) * T(0.5)), check((t.a + t.b + t.c) / T(3));
         // Past a vertex, where the surface may be touched.
         random_numbers random(5);
-        for (int i = 0; i < at_least(2000); ++i) {
+        for (int i = 0; i < share_of(2000); ++i) {
             const vec3<T> p = triangles[static_cast<std::size_t>(random.integer(0, int(triangles.size()) - 1))].b;
             const vec3<T> along(cross(to_double(p), random.direction()));
             CHECK(passages_of<T>(m, tree, {p - along, along}, -infinity<T>, infinity<T>).size() % 2 == 0);
@@ -146,7 +146,7 @@ TEST_CASE_TEMPLATE("passages, contains: through the middle of an edge", T, RAIO_
     random_numbers random(7);
     const vec3<T> direction = detail::any_directions<T>[0];
     int shared = 0;
-    for (int i = 0; i < at_least(5000); ++i) {
+    for (int i = 0; i < share_of(5000); ++i) {
         const auto corner = [&] { return vec3<T>(random.direction() * random.uniform(0.3, 1)); };
         const vec3<T> v = corner();
         mesh<T> m = tetrahedron<T>({v, -v, corner(), corner()});  // an edge runs through the origin
@@ -158,7 +158,7 @@ TEST_CASE_TEMPLATE("passages, contains: through the middle of an edge", T, RAIO_
         CHECK(contains(m, inside));
         CHECK(passages(m, {inside, direction}, T(0), infinity<T>).size() == 1);
     }
-    CHECK(shared > at_least(5000) / 4);
+    CHECK(shared > share_of(5000) / 4);
 }
 
 TEST_CASE_TEMPLATE("passages: of no surface, and of a ray that goes nowhere", T, RAIO_NUMBERS) {
