@@ -148,7 +148,7 @@ TEST_CASE("mapped_line: what a shape is certain of holds for every ray that may 
         portable_numbers numbers;
         random_numbers random(1);
         count_of_certain count;
-        for (int i = 0; i < at_least(2000); ++i) {
+        for (int i = 0; i < std::max(400, share_of(2000)); ++i) {
             const auto all_of_it = make(numbers);
             const vague_ray r(numbers.aimed_ray<double>(), random, 1e-17, 0.1);
             const vague_ray fine(r.known, random, 1e-28, 1e-17);
