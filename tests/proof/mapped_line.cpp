@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <raio/bvh/bvh.hpp>
 #include <raio/number/simd.hpp>
 #include <raio/raio.hpp>
