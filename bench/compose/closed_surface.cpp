@@ -11,28 +11,29 @@
 namespace {
 
 template <class Surface>
-struct all_hits {
-    static constexpr const char* name = "all_hits";
+struct listing {
     using T = raio::number_t<Surface>;
     using result = std::vector<raio::hit_record<T>>;
     Surface surface;
+};
 
-    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result& found) const {
-        found = surface.all_hits(ray, t_min, t_max);
-        return !found.empty();
+template <class Surface>
+struct all_hits : listing<Surface> {
+    static constexpr const char* name = "all_hits";
+    using typename listing<Surface>::T;
+
+    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, typename listing<Surface>::result& found) const {
+        return !(found = this->surface.all_hits(ray, t_min, t_max)).empty();
     }
 };
 
 template <class Surface>
-struct passages {
+struct passages : listing<Surface> {
     static constexpr const char* name = "passages";
-    using T = raio::number_t<Surface>;
-    using result = std::vector<raio::hit_record<T>>;
-    Surface surface;
+    using typename listing<Surface>::T;
 
-    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result& found) const {
-        found = raio::passages(surface, ray, t_min, t_max);
-        return !found.empty();
+    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, typename listing<Surface>::result& found) const {
+        return !(found = raio::passages(this->surface, ray, t_min, t_max)).empty();
     }
 };
 

@@ -33,88 +33,6 @@ struct erased_solid : erased<T> {
     virtual list spans(const mapped_ray<T>& ray) const = 0;
 };
 
-/// The same shape, whose formula is a function of its own, which questions share: it would be compiled six times over.
-/// Plain rays, which most are, are spared the 5 ns that it takes.
-template <class P>
-struct out_of_line {
-    using number = number_t<P>;
-    using T = number;
-
-    explicit out_of_line(const P& of) : shape(of) {}
-
-    template <class Ray>
-    bool hit(const Ray& ray, T t_min, T t_max, hit_record<T>& rec) const {
-        return first_hit(*this, ray, t_min, t_max, rec);
-    }
-    template <class Ray>
-    bool occluded(const Ray& ray, T t_min, T t_max) const {
-        return any_hit(*this, ray, t_min, t_max);
-    }
-    template <class Ray>
-    auto spans(const Ray& ray) const requires solid<P> {
-        return inside_of(*this, ray);
-    }
-
-    template <class Line, class... Wanted>
-    auto crossings(const Line& line, const Wanted&... wanted) const
-        -> decltype(std::declval<const P&>().crossings(line, wanted...)) {
-        return called<typename Line::number>([&] { return shape.crossings(line, wanted...); });
-    }
-
-    template <class Line>
-    requires is_endless<P, Line>
-    auto inside(const Line& line) const {
-        return called<typename Line::number>([&] { return shape.inside(line); });
-    }
-
-    template <class Point>
-    void surface(Point& at) const {
-        called<typename Point::number>([&] { shape.surface(at); });
-    }
-
-    template <class Point>
-    requires has_tips<P, Point>
-    auto is_close_to_tip(const Point& at) const { return shape.is_close_to_tip(at); }
-
-private:
-    template <class Call>
-    [[gnu::noinline]] RAIO_FLATTEN static auto called_often(const Call& call) {
-        return call();
-    }
-    template <class Call>
-    RAIO_RARELY static auto called_rarely(const Call& call) {
-        return call();
-    }
-    /// What is computed in numbers of W.
-    template <class W, class Call>
-    static auto called(const Call& call) {
-        if constexpr (last_precision<W>) {
-            return called_rarely(call);
-        } else {
-            return called_often(call);
-        }
-    }
-
-    const P& shape;
-};
-
-/// A shape that leaves it to its formula what mapped rays meet.
-template <class P>
-concept asks_formula = has_formula<P> &&
-    !requires(const P shape, const mapped_ray<number_t<P>> ray, number_t<P> t, hit_record<number_t<P>> rec) {
-    shape.hit(ray, t, t, rec);
-};
-
-/// How it is asked about mapped rays, and where it is inside.
-template <primitive P>
-decltype(auto) asked(const P& shape) {
-    if constexpr (asks_formula<P>) {
-        return out_of_line<P>(shape);
-    } else {
-        return (shape);
-    }
-}
-
 template <primitive P, class Interface>
 struct erased_shape : Interface {
     using T = number_t<P>;
@@ -127,11 +45,11 @@ struct erased_shape : Interface {
         return detail::hit(shape, ray, t_min, t_max, rec);
     }
     mask_t<T> hit(const mapped_ray<T>& ray, T t_min, T t_max, hit_record<T>& rec) const final {
-        return detail::hit(asked(shape), ray, t_min, t_max, rec);
+        return detail::hit(shape, ray, t_min, t_max, rec);
     }
     mask_t<T> occluded(const ray<T>& ray, T t_min, T t_max) const final { return shape.occluded(ray, t_min, t_max); }
     mask_t<T> occluded(const mapped_ray<T>& ray, T t_min, T t_max) const final {
-        return detail::occluded(asked(shape), ray, t_min, t_max);
+        return detail::occluded(shape, ray, t_min, t_max);
     }
     aabb<T> bounds() const final {
         if constexpr (bounded<P>) {
@@ -155,7 +73,7 @@ private:
     template <class Ray>
     list listed(const Ray& ray) const {
         list all;
-        for (const interval<T>& i : raio::spans(spans_of(asked(this->shape), ray))) all.append(i);
+        for (const interval<T>& i : raio::spans(spans_of(this->shape, ray))) all.append(i);
         return all;
     }
 };

@@ -139,8 +139,8 @@ public:
     }
 
     /// Keeps the point within the bounds of the shape: where little more is known of t than its own digits, as of a ray
-    /// that grazes a tip or comes from far away, it may have come to lie beyond them. (Of a record that has nothing to
-    /// say of it, it stays.) \param bounds  answers with them, to be asked only then
+    /// that grazes a tip or comes from far away, it may have come to lie beyond them. A record that would say nothing
+    /// of that is left as it is. \param bounds  answers with them, to be asked only then
     template <class Bounds>
     RAIO_FN constexpr void keep_in([[maybe_unused]] Bounds bounds) {
         if constexpr (is_believed<W> || !(has_point<Record> || has_error<Record> || has_uv<Record>)) return;

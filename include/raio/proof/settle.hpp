@@ -78,51 +78,38 @@ RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit vis
     return false;
 }
 
-/// Nothing has been kept of what the quick formula has found.
-struct not_kept {};
-
-/// Is it kept? Not of a chord: often nobody has asked for its far end, which would have to be computed to be kept.
-template <class Found>
-inline constexpr bool is_kept = true;
-template <class W>
-inline constexpr bool is_kept<chord<W>> = false;
-
-/// The same question, if the quick crossings have not answered it: the exact formula decides. Out of line, and given no
-/// more than what is in memory or is known already: where this is rare, it must not cost the common case its registers.
-/// \param kept  what the quick formula has found
-template <real T, class Shape, class Origin, class Kept, class Then>
+/// The same question, if the quick crossing has not answered it: the exact formula decides. Out of line, and without
+/// what is known already: where this is rare, it must not cost the common case its registers.
+template <real T, class Shape, class Origin, class Then>
 RAIO_RARELY RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const Origin& origin, T t_min, T t_max,
-                                                      const Kept& kept, Then then) {
+                                                      Then then) {
     const auto& ray = made_of(origin);
-    const auto found_in = [&]<class W>(const W&) {
-        return crossings_for<W, question::where>(shape, ray, t_min, t_max);
-    };
-    const auto exact = [&] { return found_in(exact_t<T>()); };
-    const auto quick = [&] {
-        if constexpr (std::same_as<Kept, not_kept>) {
-            return found_in(working_t<T>());
-        } else {
-            return kept;
-        }
-    };
-    if constexpr (keeps_all_digits<T>) {
+    using W = working_t<T>;
+    using X = exact_t<T>;
+    if constexpr (works_first<T> && keeps_all_digits<T>) {
         bool met = false;
-        visit_recorded<T>(quick(), exact, [&](const auto& c) {
-            auto first = first_in_window(c, t_min, t_max);
-            if (!first.exists) return false;
-            met = then(ray, first);
-            return true;
-        });
+        visit_recorded<T>(
+            crossings_for<W, question::where>(shape, ray, t_min, t_max),
+            [&] { return crossings_for<X, question::where>(shape, ray, t_min, t_max); },
+            [&](const auto& c) {
+                auto first = first_in_window(c, t_min, t_max);
+                if (!first.exists) return false;
+                met = then(ray, first);
+                return true;
+            });
         return met;
     } else {
-        auto first = first_in_window(exact(), t_min, t_max);
-        if (!first.exists) {
+        auto exact = first_in_window(crossings_for<X, question::where>(shape, ray, t_min, t_max), t_min, t_max);
+        if constexpr (works_first<T>) {
             // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
             // range.
-            auto [still, known] = settled_in_window<question::whether>(quick(), t_min, t_max);
-            if (known && still.exists) return then(ray, still);
+            if (!exact.exists) {
+                auto [quick, known] = settled_in_window<question::whether>(
+                    crossings_for<W, question::where>(shape, ray, t_min, t_max), t_min, t_max);
+                if (known && quick.exists) return then(ray, quick);
+            }
         }
-        return then(ray, first);
+        return then(ray, exact);
     }
 }
 
@@ -136,16 +123,8 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_
         auto [first, known] = settled_in_window<Asked>(found, t_min, t_max);
         if (known) [[likely]]
             return then(ray, first);
-        if constexpr (Asked != question::only_where && is_kept<decltype(found)>) {
-            const auto kept = found;  // a copy: what is never handed out can stay in registers
-            return settle_closer(shape, origin_of(ray), t_min, t_max, kept, then);
-        } else {
-            return settle_closer(shape, origin_of(ray), t_min, t_max, not_kept{}, then);
-        }
-    } else {
-        return then(
-            ray, first_in_window(crossings_for<exact_t<T>, question::where>(shape, ray, t_min, t_max), t_min, t_max));
     }
+    return settle_closer(shape, origin_of(ray), t_min, t_max, then);
 }
 
 }  // namespace detail
