@@ -16,9 +16,9 @@
 /// What is inside of a closed surface, and where a ray passes through it.
 ///
 /// At an edge or a vertex all faces that share it are met at one t, and are one passage, or none where the surface is
-/// touched. It is a passage if all show the same side; it is none if one shows its front and one its back. Whatever
-/// else happens at a vertex is not known from that, nor where passages do not go in and out by turns: where a ray runs
-/// in the plane of a face, or where the t of two faces that share an edge have been rounded apart.
+/// touched. It is a passage if all show the same side. Whatever else happens there is not known from that, nor where
+/// passages do not go in and out by turns: where a ray runs in the plane of a face, or where the t of two faces that
+/// share an edge have been rounded apart.
 
 namespace raio::inline RAIO_ABI {
 
@@ -48,7 +48,6 @@ struct met_at_once {
     T t() const { return hits[0].t; }
     std::size_t backs() const { return hits.size() - fronts; }
     bool passes() const { return fronts == 0 || backs() == 0; }
-    bool touches() const { return fronts == 1 && backs() == 1; }
 };
 
 /// \param hits  sorted
@@ -69,7 +68,6 @@ template <class T>
 std::optional<std::vector<hit_record<T>>> known_passages(std::span<const met_at_once<T>> met) {
     std::vector<hit_record<T>> all;
     for (const met_at_once<T>& at : met) {
-        if (at.touches()) continue;
         const hit_record<T>& first = at.hits[0];
         if (!at.passes() || (!all.empty() && all.back().front_face == first.front_face)) return std::nullopt;
         all.push_back(first);
