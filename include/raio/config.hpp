@@ -36,6 +36,15 @@
 /// Stands before a function that one call in hundreds needs: it stays out of line, and is compiled to be small.
 #define RAIO_RARELY [[gnu::noinline, gnu::cold]]
 
+/// Without optimisation every operation of every number is a call, and a hit takes a hundred times as long. g++ can
+/// optimise some functions of a file alone: between push_macros.hpp and pop_macros.hpp it does, and debug builds are of
+/// use. (Asked for here, since between them __OPTIMIZE__ is always defined.)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__OPTIMIZE__)
+#define RAIO_OPTIMISES_ITSELF 1
+#else
+#define RAIO_OPTIMISES_ITSELF 0
+#endif
+
 /// Stands before a function that takes numbers of several parts by value. For an argument that is a constant, g++ 12
 /// makes a clone that knows some of the parts, and in a large file at -O3 forgets to store what the clone still reads.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -8,3 +8,7 @@
 #pragma pop_macro("minor")
 #pragma pop_macro("near")
 #pragma pop_macro("small")
+
+#if RAIO_OPTIMISES_ITSELF
+#pragma GCC pop_options
+#endif

@@ -1,6 +1,8 @@
 // Stands before all that a header of raio includes, and pop_macros.hpp at its end: between them these words are free of
 // what windows.h, Qt and others define them to be, and afterwards everything is as it was. (No #pragma once: it is
 // included again and again.)
+//
+// Between them g++ optimises also where a file is compiled without: see RAIO_OPTIMISES_ITSELF.
 
 #pragma push_macro("check")
 #undef check
@@ -22,3 +24,8 @@
 #undef small
 
 #include <raio/abi.hpp>
+
+#if RAIO_OPTIMISES_ITSELF
+#pragma GCC push_options
+#pragma GCC optimize("O1", "inline")
+#endif

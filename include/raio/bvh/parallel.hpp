@@ -19,6 +19,20 @@
 
 namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
+/// Anything that is called with the index of a piece of work. It is not owned, and has to outlive this. (One type for
+/// all of them: what starts threads is compiled once.)
+class work_on {
+public:
+    template <class Work>
+    work_on(const Work& work)
+        : work_(&work), call_([](const void* all, std::size_t i) { (*static_cast<const Work*>(all))(i); }) {}
+    void operator()(std::size_t i) const { call_(work_, i); }
+
+private:
+    const void* work_;
+    void (*call_)(const void*, std::size_t);
+};
+
 #if defined(__STDCPP_THREADS__) && !defined(RAIO_NO_THREADS)
 
 /// How many threads are meant by that many: 0 stands for all of the machine's.
@@ -47,8 +61,7 @@ private:
 
 /// Calls `work` with 0, 1, ..., count - 1, on several threads and in no certain order. What is thrown comes out once
 /// all of them have stopped.
-template <class Work>
-void parallel_for(std::size_t count, unsigned threads, Work work) {
+inline void parallel_for(std::size_t count, unsigned threads, work_on work) {
     std::atomic<std::size_t> next = 0;
     const auto run_all = [&] {
         for (std::size_t i; (i = next++) < count;) work(i);
@@ -84,8 +97,7 @@ void parallel_for(std::size_t count, unsigned threads, Work work) {
 inline unsigned thread_count(unsigned) { return 1; }
 
 /// Calls `work` with 0, 1, ..., count - 1.
-template <class Work>
-void parallel_for(std::size_t count, unsigned, Work work) {
+inline void parallel_for(std::size_t count, unsigned, work_on work) {
     for (std::size_t i = 0; i < count; ++i) work(i);
 }
 
