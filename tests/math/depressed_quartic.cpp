@@ -46,7 +46,11 @@ TEST_CASE_TEMPLATE("depressed_quartic: the first root, or that there is none", W
             return random.one_in(2) ? size : -size;
         };
         const double m = random.one_in(4) ? random.log_uniform(1e-6, 0.1) : random.uniform(0, 0.8);
-        const auto p = quartic<W>(m, square(), square(), random.log_uniform(1e-3, 10));
+        auto p = quartic<W>(m, square(), square(), random.log_uniform(1e-3, 10));
+        if (random.one_in(4)) {  // all but a quadratic
+            const double other = random.uniform(-1, 1), constant = random.uniform(-0.2, 1);
+            p = {{W(constant), W(random.uniform(-0.2, 0.2)), W(other), W(0), W(random.log_uniform(1e-16, 1e-3))}};
+        }
         if (!(p(W(-1)) > W(0) && p(W(1)) > W(0))) continue;
         const first_root<W> first = depressed_quartic<W>(p).between(W(-1), W(1));
         const std::string wrong = wrong_first_root(p, first);
@@ -67,7 +71,7 @@ TEST_CASE("depressed_quartic: what it does not know") {
     CHECK(!known(above, -2, 2));                                          // beyond what its noise is known for
     CHECK(!known({{W(1), W(0), W(0), W(0x1p-10), W(1)}}));                // a cubic term
     CHECK(!known({{W(1), W(0), W(0), W(0), W(1)}, {0, 0, 0, 1e-9, 0}}));  // one that may be there
-    CHECK(!known({{W(1), W(0), W(0), W(0), W(0x1p-40)}}));
+    CHECK(!known({{W(1), W(0), W(0), W(0), W(0x1p-46)}}));                // all but a constant
     CHECK(!known({{W(1), W(0), W(0), W(0), W(-2)}}));
     CHECK(!known({{W(-1), W(0), W(0), W(0), W(0.5)}}));  // below zero at an end
     CHECK(!known({{W(-0.5), W(1), W(0), W(0), W(0.5)}}));

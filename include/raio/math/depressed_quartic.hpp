@@ -32,12 +32,12 @@ public:
     /// \param noise  of the polynomial, from -1 to 1 at least
     RAIO_FN constexpr depressed_quartic(const polynomial<W, 4>& p, const E& noise)
         : c0_(p.coefficient[0]), c1_(p.coefficient[1]), c2_(p.coefficient[2]), c4_(p.coefficient[4]) {
-        // The polynomial that is meant has its inflection elsewhere, by so little that what it does between the two
-        // places is below the noise: with w^2 off by d, noise / c4 or less, that is no more than c4 d^2, which is why
-        // c4 may not be close to none. The other half of the doubled noise is that. The slope's noise is no more than
-        // four times the value's, since no power is above 4.
+        // The polynomial that is meant has its inflection elsewhere: w^2 is off by some d, no more than noise / c4.
+        // What the polynomial does between the two places is at most c4 d^2, which is below the noise if c4 is not: the
+        // other half of the doubled noise is that. The slope's noise is no more than four times the value's, since no
+        // power is above 4.
         noise_ = E(2) * noise;
-        is_sound_ = p.coefficient[3] == W(0) && p.error[3] == E(0) && E(c4_) > E(0x1p20) * noise_;
+        is_sound_ = p.coefficient[3] == W(0) && p.error[3] == E(0) && E(c4_) > E(16) * noise_;
     }
     RAIO_FN constexpr explicit depressed_quartic(const polynomial<W, 4>& p) : depressed_quartic(p, p.noise()(E(1))) {}
 

@@ -282,6 +282,7 @@ private:
         E by_slope = quotient(E(4) * noise_at(t), abs(slope), step);
         E reach = (by_slope < E(0x1p-10) * E(to.t - from.t) ? by_slope : E(0)) + step * left_of_step(tolerance) +
                   resolution(t);
+        if constexpr (is_believed<W>) return {t, reach, from.sign, to.sign, abs(slope) * reach + noise_at(t)};
         for (;;) {
             W left = max(from.t, t - W(reach)), right = min(to.t, t + W(reach)), at_left = p_(left),
               at_right = p_(right);
