@@ -98,7 +98,11 @@ TEST_CASE_TEMPLATE("passages: of a sphere of triangles, through its vertices and
                 CHECK(found.back().front_face == turned);
             }
         };
-        for (const triangle<T>& t : triangles) check(t.a), check((t.a + t.b) * T(0.5)), check((t.a + t.b + t.c) / T(3));
+        const std::size_t step = test_rays < 100'000 ? 7 : 1;
+        for (std::size_t i = 0; i < triangles.size(); i += step) {
+            const triangle<T>& t = triangles[i];
+            check(t.a), check((t.a + t.b) * T(0.5)), check((t.a + t.b + t.c) / T(3));
+        }
         // Past a vertex, where the surface may be touched.
         random_numbers random(5);
         for (int i = 0; i < share_of(2000); ++i) {

@@ -179,7 +179,7 @@ TEST_CASE_TEMPLATE("csg: inside is the point-wise Boolean of the leaves", T, RAI
     random_numbers random(14);
     random_solids<T> some{random};
     int inside_count = 0;
-    for (int i = 0; i < at_least(10'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(10'000); ++i) {
         const auto tree = some.tree();
         const ray<T> ray = some.line();
         const auto inside = tree.spans(ray);
@@ -193,14 +193,14 @@ TEST_CASE_TEMPLATE("csg: inside is the point-wise Boolean of the leaves", T, RAI
             inside_count += inside.contains(between);
         }
     }
-    CHECK(inside_count > 1'000);
+    CHECK(inside_count > at_least_a_tenth_of(1'000));
 }
 
 TEST_CASE_TEMPLATE("csg: hits are the ends of the spans, one after the other, in and out", T, RAIO_NUMBERS) {
     random_numbers random(15);
     random_solids<T> some{random};
     int hits = 0;
-    for (int i = 0; i < at_least(10'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(10'000); ++i) {
         const auto tree = some.tree();
         const ray<T> ray = some.line();
         T t_min = -infinity<T>;
@@ -223,14 +223,14 @@ TEST_CASE_TEMPLATE("csg: hits are the ends of the spans, one after the other, in
         }
         REQUIRE(!tree.occluded(ray, t_min, infinity<T>));
     }
-    CHECK(hits > 3'000);
+    CHECK(hits > at_least_a_tenth_of(3'000));
 }
 
 TEST_CASE_TEMPLATE("csg: the record is that of the leaf, but for side and index", T, RAIO_NUMBERS) {
     random_numbers random(16);
     random_solids<T> some{random};
     int flipped = 0;
-    for (int i = 0; i < at_least(10'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(10'000); ++i) {
         const auto a = some.ball();
         const auto b = some.can();
         const auto tree = difference_of(a, b);
@@ -243,7 +243,7 @@ TEST_CASE_TEMPLATE("csg: the record is that of the leaf, but for side and index"
         own.index = rec.index, own.front_face = rec.front_face;
         REQUIRE(same_record(rec, own));
     }
-    CHECK(flipped > 500);
+    CHECK(flipped > at_least_a_tenth_of(500));
 }
 
 TEST_CASE_TEMPLATE("csg: from a point of the surface, in any direction", T, RAIO_NUMBERS) {
@@ -258,7 +258,7 @@ TEST_CASE_TEMPLATE("csg: laws", T, RAIO_NUMBERS) {
     random_numbers random(17);
     random_solids<T> some{random};
     const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
-    for (int i = 0; i < at_least(2'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(2'000); ++i) {
         const auto a = some.tree();
         const auto b = union_of(some.ball(), some.crate());
         const ray<T> ray = some.line();

@@ -36,7 +36,7 @@ moving<box<T>> random_mover(random_numbers& random, bool slides) {
 TEST_CASE_TEMPLATE("moving: what is met at a time is what is met of it standing where it is then", T, RAIO_NUMBERS) {
     random_numbers random(5);
     int hits = 0;
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(1500); ++i) {
         const moving<box<T>> mover = random_mover<T>(random, i % 2 == 0);
         timed_ray<T> ray = aimed<T>(random);
         if (i % 8 == 0) ray.time = static_cast<T>(i / 8 % 2);
@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE("moving: what is met at a time is what is met of it standing 
         if (met) CHECK(mover.bounds().contains(rec.point));
         hits += met;
     }
-    CHECK(hits > 150);
+    CHECK(hits > at_least_a_tenth_of(150));
 }
 
 TEST_CASE_TEMPLATE("moving: straight and evenly, from one end to the other", T, RAIO_NUMBERS) {
@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("moving: through trees, groups, maps and csg", T, RAIO_NUMBER
     const transformed moved_tree{&tree, map};
     const transformed moved_loop{&loop, map};
     int hits = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(1000); ++i) {
         const timed_ray<T> ray = aimed<T>(random);
         std::vector<transformed<box<T>>> standing;
         for (const auto& mover : movers) standing.emplace_back(mover.primitive(), mover.map(ray.time));
@@ -110,7 +110,7 @@ TEST_CASE_TEMPLATE("moving: through trees, groups, maps and csg", T, RAIO_NUMBER
         check(difference_of(still[0], transformed{&movers[1], map}),
               difference_of(still[0], transformed{standing[1], map}));
     }
-    CHECK(hits > 3000);
+    CHECK(hits > at_least_a_tenth_of(3000));
 }
 
 }  // namespace raio::test

@@ -39,7 +39,7 @@ TEST_CASE_TEMPLATE("quick: what the exact shape answers, but for a few rays that
         if constexpr (detail::has_plain_formula<P>) {
             portable_numbers numbers;
             comparison found;
-            const int rays = std::max(500, share_of(3'000));
+            const int rays = at_least_a_tenth_of(3'000);
             for (int i = 0; i < rays; ++i) {
                 const quick<P> shape{make(numbers)};
                 const P& exact = shape;
@@ -97,7 +97,7 @@ TEST_CASE("quick: rays that leave a surface do not meet it again") {
     const quick<triangle<float>> flat{{{0, 0, 0}, {4, 1, 0}, {1, 5, 2}}};
     const auto check = [&](const auto& shape) {
         int left = 0, met_again = 0;
-        for (int i = 0; i < 10'000; ++i) {
+        for (int i = 0; i < at_least_a_tenth_of(10'000); ++i) {
             const vec3<float> from(random.direction() * 9.0), to(random.direction() * 2.0 + vec3<double>(1, 2, 1));
             hit_record<float> rec{};
             if (!shape.hit(ray<float>{from, to - from}, 0.0f, infinity<float>, rec)) continue;
@@ -106,7 +106,7 @@ TEST_CASE("quick: rays that leave a surface do not meet it again") {
             ++left;
             met_again += shape.occluded(spawn_ray(rec, away), 0.0f, infinity<float>);
         }
-        CHECK(left > 1000);
+        CHECK(left > at_least_a_tenth_of(1000));
         CHECK(met_again == 0);
     };
     check(ball), check(flat);
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("quick: in packs, lane by lane", T, float, double) {
             if constexpr (detail::gatherable<quick<Shape>>) {
                 portable_numbers numbers;
                 int unlike = 0, hits = 0;
-                const int rounds = std::max(400, share_of(4'000)) / int(lanes);
+                const int rounds = at_least_a_tenth_of(4'000) / int(lanes);
                 for (int i = 0; i < rounds; ++i) {
                     detail::gathered<quick<Shape>, lanes> shapes;
                     ray<P> along;
@@ -185,7 +185,7 @@ TEST_CASE("quick: through trees, one by one and in bundles, as through the loop"
     const auto check = [](const auto& shapes) {
         using Q = std::remove_cvref_t<decltype(shapes[0])>;
         const bvh<Q> tree(shapes);
-        CHECK(answered_otherwise(group(shapes), tree, 2000) <= 4);
+        CHECK(answered_otherwise(group(shapes), tree, at_least_a_tenth_of(2000)) <= 4);
         portable_numbers numbers;
         int unlike = 0;
         for (int i = 0; i < 50; ++i) {
@@ -222,8 +222,8 @@ TEST_CASE("quick: a tree of a mesh, with the corners copied or left in the mesh"
     numbers.uniform();  // or the rays below would be aimed at its vertices
     for (int i = 0; i < 300; ++i) of.vertices.push_back(numbers.point<float>());
     for (std::uint32_t i = 0; i < 300; ++i) of.triangles.push_back({i, (i + 1) % 300, (i + 7) % 300});
-    CHECK(answered_otherwise(bvh(of), bvh<quick<triangle<float>>>(of), 2000) <= 4);
-    CHECK(answered_otherwise(bvh(of), bvh<quick<mesh_triangle<float>>>(of), 2000) <= 4);
+    CHECK(answered_otherwise(bvh(of), bvh<quick<triangle<float>>>(of), at_least_a_tenth_of(2000)) <= 4);
+    CHECK(answered_otherwise(bvh(of), bvh<quick<mesh_triangle<float>>>(of), at_least_a_tenth_of(2000)) <= 4);
 }
 
 TEST_CASE("quick: under maps, in CSG, in groups and behind any_primitive") {
@@ -232,7 +232,7 @@ TEST_CASE("quick: under maps, in CSG, in groups and behind any_primitive") {
     const torus<float> ring{{0, 0, 0}, {0, 1, 0.5f}, 1, 0.4f};
     const transform<float> map =
         rotation<float>({1, 2, 3}, 0.7f) * translation<float>({0.3f, 0, 0}) * scaling<float>({1, 2, 0.5f});
-    const int rays = 5000, few = 10;
+    const int rays = at_least_a_tenth_of(5000), few = 10;
     CHECK(answered_otherwise(transformed(ring, map), transformed(quick{ring}, map), rays) <= few);
     CHECK(answered_otherwise(difference_of(ball, block), difference_of(quick{ball}, quick{block}), rays) <= few);
     CHECK(answered_otherwise(union_of(ring, ball), union_of(quick{ring}, quick{ball}), rays) <= few);

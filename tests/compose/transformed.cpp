@@ -249,7 +249,7 @@ TEST_CASE("transformed: bounds where the map takes away all but the last digits"
         aabb<float> bounds() const { return {min, max}; }  // of which no padding makes up for the map's roundings
     };
     random_numbers random(13);
-    for (int i = 0; i < at_least(10'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(10'000); ++i) {
         // What the first two columns and the origin leave is taken away by the third, which is seen through 2^-24.
         transform<float> map{vec3<float>(random.direction()), vec3<float>(random.direction()), {}, {}};
         const vec3<float> corner(float(random.uniform(0.5, 1)), float(random.uniform(0.5, 1)), 0x1p-24f);
@@ -276,7 +276,7 @@ TEST_CASE_TEMPLATE("transformed: properties of every shape", T, RAIO_NUMBERS) {
 TEST_CASE("transformed: the bound of how far the point is off the image, from above as well") {
     random_numbers random(12);
     part_of_bound of_point;
-    for (int i = 0; i < at_least(20'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(20'000); ++i) {
         const auto column = [&] { return vec3<float>(random.direction() * random.log_uniform(0.1, 10)); };
         const transform<float> map{column(), column(), column(), vec3<float>(some_vector(random))};
         const sphere<float> ball{vec3<float>(random.direction()), 1};
@@ -356,7 +356,7 @@ template <class P>
 void check_image() {
     int hits = 0, complaints = 0, open = 0;
     random_numbers random(12);
-    for (int i = 0; i < at_least(20'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(20'000); ++i) {
         const auto p = scattered_probe<posed<P>>(random);
         const std::string wrong = inexact_image(p, hits);
         if (!wrong.empty() && is_open(p)) {
@@ -366,7 +366,7 @@ void check_image() {
     }
     CHECK(complaints == 0);
     CHECK(open < 20);
-    CHECK(hits > 5'000);
+    CHECK(hits > at_least_a_tenth_of(5'000));
 }
 
 TEST_CASE_TEMPLATE("transformed: as exact arithmetic", T, RAIO_NUMBERS) {

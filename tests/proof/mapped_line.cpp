@@ -119,7 +119,7 @@ TEST_CASE("mapped_line: what its vectors stand for is no farther off than they s
     const auto check = []<class W>(W) {
         random_numbers random(1);
         double largest = 0;
-        for (int i = 0; i < at_least(2000); ++i) {
+        for (int i = 0; i < at_least_a_tenth_of(2000); ++i) {
             const auto some = [&] { return random.direction() * random.log_uniform(1e-3, 1e3); };
             const vec3<double> p = some(), q = some();
             const vague_ray r({some(), some()}, random, 1e-34, 1e-9);
@@ -150,7 +150,7 @@ TEST_CASE("mapped_line: what a shape is certain of holds for every ray that may 
         portable_numbers numbers;
         random_numbers random(1);
         count_of_certain count;
-        for (int i = 0; i < std::max(400, share_of(2000)); ++i) {
+        for (int i = 0; i < at_least_a_tenth_of(2000); ++i) {
             const auto all_of_it = make(numbers);
             const vague_ray r(numbers.aimed_ray<double>(), random, 1e-17, 0.1);
             const vague_ray fine(r.known, random, 1e-28, 1e-17);

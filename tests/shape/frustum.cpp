@@ -99,7 +99,7 @@ TEST_CASE_TEMPLATE(
     frustum<float>, frustum<double>, open_frustum<float>, open_frustum<double>) {
     random_numbers random(15);
     int hits = 0, complaints = 0;
-    const int rays = at_least(4'000);
+    const int rays = at_least_a_tenth_of(4'000);
     for (int i = 0; i < rays; ++i) {
         const probe<Shape> p = ray_to_the_tip_of_a_needle<Shape>(random);
         hit_record<number_t<Shape>> rec{};

@@ -88,6 +88,9 @@ inline int share_of(int count) { return static_cast<int>(std::int64_t{count} * t
 /// So many, more in a longer run.
 inline int at_least(int count) { return std::max(count, share_of(count)); }
 
+/// The same, but a tenth of it in a short one.
+inline int at_least_a_tenth_of(int count) { return std::max(count / 10, share_of(count)); }
+
 /// A count that is expected, and three standard deviations of it: in a short run chance has its share.
 inline double with_chance(double expected) { return expected + 3 * std::sqrt(expected); }
 
