@@ -52,7 +52,9 @@ module;
 #include <emmintrin.h>
 #endif
 
-#include <raio/abi.hpp>  // macros only
+#include <raio/abi.hpp>       // macros only
+#undef RAIO_OPTIMISES_ITSELF  // by a pragma, which g++ has not in modules
+#define RAIO_OPTIMISES_ITSELF 0
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
