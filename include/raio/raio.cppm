@@ -1,5 +1,5 @@
-// `import raio;`: every shape, what is composed of them, trees and packs, from the same headers. Macros do not come with
-// a module: who asks for the version includes <raio/config.hpp>.
+// `import raio;`: every shape, what is composed of them, trees and packs, from the same headers. Macros do not come
+// with a module: who asks for the version includes <raio/config.hpp>.
 
 module;
 

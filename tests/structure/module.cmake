@@ -1,6 +1,6 @@
 # cmake -D COMPILER=<path> -D INCLUDES=<folders> [-D FLAGS=<list>] -D FOLDER=<for what is written> -P module.cmake
-# A program that says `import raio;` has what one has that includes raio, and both may be one. Clang 16 and later, g++ 14
-# and later.
+# A program that says `import raio;` has what one has that includes raio, and both may be one. Clang 16 and later,
+# g++ 14 and later.
 cmake_minimum_required(VERSION 3.25)
 
 list(TRANSFORM INCLUDES PREPEND "-I")
