@@ -110,7 +110,7 @@ private:
 
     trees make_trees(large_vector<build_box>& references, const build_box& centers, bvh_quality quality,
                      unsigned threads) const {
-        static constexpr std::array lanes{static_cast<std::uint32_t>(leaves_of<Shapes>::lanes)...};
+        static constexpr std::array<std::uint32_t, kind_count> lanes{leaves_of<Shapes>::lanes...};
         static_assert(std::ranges::all_of(lanes, [](std::uint32_t n) { return std::has_single_bit(n); }));
         const std::uint32_t leaf = std::ranges::min(lanes);
         trees made;

@@ -156,16 +156,18 @@ public:
         return select(whole, x, made([&](std::size_t i) { return floor(small.registers_[i]); }));
     }
     RAIO_FN friend constexpr pack sin(const pack& x) {
-        return made([&](std::size_t i) { return sin(x.registers_[i]); });
+        return made([&](std::size_t i) { return detail::trigonometry<register_type>::sine(x.registers_[i]); });
     }
     RAIO_FN friend constexpr pack cos(const pack& x) {
-        return made([&](std::size_t i) { return cos(x.registers_[i]); });
+        return made([&](std::size_t i) { return detail::trigonometry<register_type>::cosine(x.registers_[i]); });
     }
     RAIO_FN friend constexpr pack copysign(const pack& magnitude, const pack& sign) {
         return made([&](std::size_t i) { return copysign(magnitude.registers_[i], sign.registers_[i]); });
     }
     RAIO_FN friend constexpr pack atan2(const pack& y, const pack& x) {
-        return made([&](std::size_t i) { return atan2(y.registers_[i], x.registers_[i]); });
+        return made([&](std::size_t i) {
+            return detail::trigonometry<register_type>::arc_tangent(y.registers_[i], x.registers_[i]);
+        });
     }
 
 private:

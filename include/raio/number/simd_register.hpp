@@ -184,6 +184,27 @@ RAIO_FN constexpr Register flipped(const Register& x, const Register& sign) {
     }
 }
 
+/// What xsimd computes with functions that are static, and so unknown outside of a module that includes it: raio.cppm
+/// instantiates these for every register.
+template <class Register>
+struct trigonometry {
+    RAIO_FN static Register sine(const Register& x);
+    RAIO_FN static Register cosine(const Register& x);
+    RAIO_FN static Register arc_tangent(const Register& y, const Register& x);
+};
+template <class Register>
+RAIO_FN Register trigonometry<Register>::sine(const Register& x) {
+    return sin(x);
+}
+template <class Register>
+RAIO_FN Register trigonometry<Register>::cosine(const Register& x) {
+    return cos(x);
+}
+template <class Register>
+RAIO_FN Register trigonometry<Register>::arc_tangent(const Register& y, const Register& x) {
+    return atan2(y, x);
+}
+
 /// Calls `f` with 0, 1, ... N - 1, without a loop: what is indexed with them can live in registers.
 template <std::size_t N, class F>
 RAIO_FN constexpr void repeat(F f) {

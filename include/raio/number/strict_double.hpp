@@ -47,15 +47,18 @@ inline constexpr bool fuses = false;
 /// has packed two of the conversions into one vector. So it does not learn what the floats of an argument were made of:
 /// for all it knows they may have changed here, in memory, where they are floats. Costs nothing if they lie there. (Of
 /// g++ 13 it is not known.)
+#if defined(__GNUC__) && __GNUC__ < 14 && !defined(__clang__) && !defined(__CUDA_ARCH__)
 template <class T, class... Arguments>
 RAIO_FN constexpr void keep_as_stored([[maybe_unused]] const Arguments&... arguments) {
-#if defined(__GNUC__) && __GNUC__ < 14 && !defined(__clang__) && !defined(__CUDA_ARCH__)
     if constexpr (std::same_as<scalar_t<T>, float>) {
         if (std::is_constant_evaluated()) return;
         (..., [](const Arguments& argument) { asm("" : "+m"(const_cast<Arguments&>(argument))); }(arguments));
     }
-#endif
 }
+#else
+template <class T, class... Arguments>
+RAIO_FN constexpr void keep_as_stored(const Arguments&...) {}
+#endif
 
 }  // namespace detail
 

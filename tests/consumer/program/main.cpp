@@ -1,4 +1,8 @@
+#if defined(MODULE)
+import raio;
+#else
 #include <raio/raio.hpp>
+#endif
 
 bool seen_from_the_other_file(const raio::ray<double>& ray);
 
