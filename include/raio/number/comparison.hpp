@@ -118,8 +118,9 @@ RAIO_FN constexpr verdict<mask_t<W>> is_not_positive(const bounded_number<W>& a,
     return detail::decided<W>(a.value < -W(off), !(a.value > W(off)), a.value <= W(room));
 }
 
-/// Is the root of a square above zero beside b, which its error comes from? What the last precision knows less than
-/// ten digits of is zero to it; who has a closer look leaves that to it.
+/// Can a root, whose square is given, be told from the error of b? The last precision knows b to 2^-104 of it: of a
+/// root below 2^-89 of b, the square of that error is more than 2^-30, and the root counts as zero. The first
+/// precision leaves that to the last.
 template <proven_number A, class W>
 RAIO_FN constexpr verdict<mask_t<W>> is_root_told_from_zero(const A& square_of_root, const bounded_number<W>& b) {
     if constexpr (last_precision<W>) {

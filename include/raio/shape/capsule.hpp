@@ -57,7 +57,7 @@ struct capsule {
         const auto r = line.given(radius);
         const auto slim = line.given(T(0x1p-120));
         c = only_if(r * r >= axis2 * slim, c);
-        keep_if_in_range<T>(line, c);
+        keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
 

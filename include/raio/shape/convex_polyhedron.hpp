@@ -109,7 +109,7 @@ struct convex_polyhedron {
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         auto c = inside(line);
-        keep_if_in_range<T>(line, c);
+        keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
 

@@ -35,7 +35,7 @@ struct revolved_piece<T, 3> {
         if (!part.exists) return list;
         list = cross_revolved(beside_axis<W>(), part, W(1) / reach);
         list.start_at_origin();
-        keep_if_in_range<T>(line, list);
+        keep_if_in_range<T>(line, list);  // no point beyond the largest number
         return list;
     }
 

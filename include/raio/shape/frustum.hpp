@@ -153,7 +153,7 @@ struct frustum {
         auto endless = detail::cross_nappe(base, top, radii(), line);
         if (missed(endless)) return endless;
         auto c = cut<Closed>(endless, detail::cross_cap_planes(base, top, line));
-        keep_if_in_range<T>(line, c);
+        keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
 

@@ -138,7 +138,8 @@ private:
         if (size() == 0 || !(min.x < max.x && min.y < max.y && t_min <= t_max)) return;
         const bool along_x = abs(ray.direction.x) >= abs(ray.direction.y);
         const glm::length_t a = along_x ? 0 : 1, b = along_x ? 1 : 0;
-        const W a_from(ray.origin[a]), a_speed(ray.direction[a]), zero(0), slack(8 * unit_roundoff<W>);
+        const W a_from(ray.origin[a]), a_speed(ray.direction[a]), zero(0);
+        const W slack(8 * unit_roundoff<W>);  // of places and of t, which are found with five roundings at most
         const W earliest = detail::widened<W>(t_min, -1);
         W latest = detail::widened<W>(t_max, 1);
 

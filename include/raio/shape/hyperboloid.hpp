@@ -49,13 +49,13 @@ RAIO_FN constexpr auto cross_hyperboloid(const vec3<T>& base, const vec3<T>& top
     if constexpr (Closed) {
         if (missed(endless)) return nowhere_at_all<Wanted>(endless.ends);
         auto parts = intersect(endless, cross_cap_planes(base, top, line), wanted);
-        keep_if_in_range<T>(line, parts);
+        keep_if_in_range<T>(line, parts);  // no point beyond the largest number
         return parts;
     } else {
         auto ends = endless.ends;
         if (missed(ends)) return ends;
         ends = cut<false>(ends, cross_cap_planes(base, top, line));
-        keep_if_in_range<T>(line, ends);
+        keep_if_in_range<T>(line, ends);  // no point beyond the largest number
         return ends;
     }
 }

@@ -116,7 +116,7 @@ struct paraboloid {
         auto endless = detail::cross_endless_paraboloid(vertex, top, radius, line);
         if (missed(endless)) return endless;
         auto c = cut<Closed>(endless, detail::cross_upper_plane(vertex, top, line));
-        keep_if_in_range<T>(line, c);
+        keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
 

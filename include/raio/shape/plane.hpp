@@ -43,7 +43,7 @@ struct plane {
         const auto to_plane = dot(n, line.to(point));
         const auto speed = dot(n, line.direction());
         auto c = crossing_at(is_positive(abs(speed)), to_plane * inverse(speed), speed.value < W(0));
-        keep_if_in_range<T>(line, c);
+        keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
 

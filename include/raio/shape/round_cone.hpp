@@ -73,7 +73,7 @@ struct round_cone {
         c = only_if(every(is_positive(lesser), lesser * lesser >= square(line.between(base, top)) * slim), c);
         const mask_t<T> sound = every(is_finite(base), is_finite(top), is_finite(base_radius + top_radius));
         c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
-        keep_if_in_range<T>(line, c);
+        keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
 

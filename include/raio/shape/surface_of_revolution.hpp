@@ -49,7 +49,7 @@ struct revolved_piece<T, 1> {
                                      : cross_slab(a, dot(a, to_wide), dot(a, to_narrow), d);
             c = cut<false>(c, slab);
         }
-        keep_if_in_range<T>(line, c);
+        keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
 
