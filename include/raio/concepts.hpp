@@ -210,6 +210,13 @@ RAIO_FN constexpr auto spans_of(const P& shape, const Ray& ray) {
     }
 }
 
+/// Along none of the axes, diagonals or other directions that shapes are made of.
+template <real T>
+RAIO_FN constexpr vec3<T> any_direction() {
+    const auto number = [](double x) { return T(static_cast<scalar_t<T>>(x)); };
+    return {number(0.5547), number(0.7193), number(0.4181)};
+}
+
 }  // namespace detail
 
 /// Is the point in the solid, or on its surface? As exact as a ray from there. (There is `contains` of closed meshes
@@ -217,10 +224,7 @@ RAIO_FN constexpr auto spans_of(const P& shape, const Ray& ray) {
 template <solid P>
 RAIO_FN constexpr mask_t<number_t<P>> contains(const P& shape, const vec3<number_t<P>>& point) {
     using T = number_t<P>;
-    const auto number = [](double x) { return T(static_cast<scalar_t<T>>(x)); };
-    // Along none of the axes, diagonals or other directions that shapes are made of.
-    const vec3<T> direction(number(0.5547), number(0.7193), number(0.4181));
-    return detail::spans_of(shape, ray<T>{point, direction}).contains(T(0));
+    return detail::spans_of(shape, ray<T>{point, detail::any_direction<T>()}).contains(T(0));
 }
 
 }  // namespace raio::inline RAIO_ABI

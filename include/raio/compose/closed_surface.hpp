@@ -31,13 +31,16 @@ concept surface_of_many =
 
 namespace detail {
 
-/// Rays along none of the axes, diagonals or other directions that shapes are made of.
+/// One direction, and others where that leaves something open.
 template <class T>
-inline constexpr std::array<vec3<T>, 8> any_directions{
-    vec3<T>(T(0.5547), T(0.7193), T(0.4181)),   vec3<T>(T(-0.6121), T(0.3517), T(0.7083)),
-    vec3<T>(T(0.2399), T(-0.8363), T(0.4931)),  vec3<T>(T(0.7687), T(0.1451), T(-0.6229)),
-    vec3<T>(T(-0.3307), T(-0.5813), T(-0.744)), vec3<T>(T(-0.8839), T(0.4217), T(-0.2027)),
-    vec3<T>(T(0.1153), T(0.9433), T(-0.3121)),  vec3<T>(T(0.4729), T(-0.3911), T(0.7897))};
+inline constexpr std::array<vec3<T>, 8> any_directions{any_direction<T>(),
+                                                       vec3<T>(T(-0.6121), T(0.3517), T(0.7083)),
+                                                       vec3<T>(T(0.2399), T(-0.8363), T(0.4931)),
+                                                       vec3<T>(T(0.7687), T(0.1451), T(-0.6229)),
+                                                       vec3<T>(T(-0.3307), T(-0.5813), T(-0.744)),
+                                                       vec3<T>(T(-0.8839), T(0.4217), T(-0.2027)),
+                                                       vec3<T>(T(0.1153), T(0.9433), T(-0.3121)),
+                                                       vec3<T>(T(0.4729), T(-0.3911), T(0.7897))};
 
 /// What a ray meets at one t.
 template <class T>
