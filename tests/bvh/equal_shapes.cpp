@@ -39,7 +39,7 @@ std::vector<Shape> crowded(random_numbers& random) {
 template <class Tree, class Loop, class T = number_t<Tree>>
 void check_all_hits(const Tree& tree, const Loop& loop, random_numbers& random) {
     int several = 0;
-    for (int i = 0; i < share_of(1000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(1000); ++i) {
         question<T> q(random);
         const aabb<T> crowd = loop[loop.size() - 1 - std::size_t(random.integer(0, 2))].bounds();
         if (random.one_in(2)) q.ray.direction = (crowd.min + crowd.max) / T(2) - q.ray.origin;
@@ -65,7 +65,7 @@ void check_all_hits(const Tree& tree, const Loop& loop, random_numbers& random) 
         REQUIRE(test::same(rec, first != expected.end() ? *first : hit_record<T>{}));
         REQUIRE(tree.occluded(q.ray, q.t_min, q.t_max, late) == (first != expected.end()));
     }
-    CHECK(several * 25 >= share_of(1000));
+    CHECK(several * 25 >= at_least_a_tenth_of(1000));
 }
 
 }  // namespace
@@ -91,13 +91,13 @@ TEST_CASE_TEMPLATE("bvh: among many equal shapes all queries answer as the loop"
     const auto triangles = crowded<triangle<T>>(random);
     for (const bvh_quality quality : qualities) {
         const bvh tree(std::span<const sphere<T>>(spheres), {.quality = quality});
-        check_like(tree, group{spheres}, random, share_of(1000));
+        check_like(tree, group{spheres}, random, at_least_a_tenth_of(1000));
         check_all_hits(tree, spheres, random);
         check_all_hits(bvh(std::span<const triangle<T>>(triangles), {.quality = quality}), triangles, random);
     }
-    check_like(bvh{group{triangles, spheres}}, group{triangles, spheres}, random, share_of(1000));
+    check_like(bvh{group{triangles, spheres}}, group{triangles, spheres}, random, at_least_a_tenth_of(1000));
     const std::vector<any_primitive<T>> owned(spheres.begin(), spheres.end());
-    check_like(bvh(owned, {.quality = bvh_quality::low}), group{spheres}, random, share_of(1000));
+    check_like(bvh(owned, {.quality = bvh_quality::low}), group{spheres}, random, at_least_a_tenth_of(1000));
 
     mesh<T> fans;
     for (const triangle<T>& t : triangles) {
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("bvh: equal shapes may differ when they move", T, RAIO_NUMBER
     for (sphere<T>& s : spheres) s.center += within<T>(random, 2);
     tree.refit(spheres);
     CHECK(tree.bytes() > bytes);
-    check_like(tree, group{spheres}, random, share_of(1000));
+    check_like(tree, group{spheres}, random, at_least_a_tenth_of(1000));
 }
 
 }  // namespace raio::test
