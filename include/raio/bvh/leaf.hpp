@@ -45,7 +45,7 @@ inline constexpr bool tested_quickly<quick<P>> = tested_quickly<P>;
 /// ray that enters the box around eight meets the boxes of one or none of them, and a node tests all of these at once.
 template <class Shape>
 inline constexpr std::size_t block_lanes = tested_quickly<Shape>
-                                               ? std::clamp<std::size_t>(native_lanes<number_t<Shape>>, 4, 8)
+                                               ? std::clamp<std::size_t>(native_lanes<number_t<Shape>>, 2, 8)
                                                : 1;
 
 /// What is known of the crossings of N lanes: those of which a bit is set in `sure` lie in [low, high], and that in

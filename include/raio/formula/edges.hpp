@@ -83,8 +83,7 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
     if constexpr (!std::same_as<Wanted, known_crossing>) {
         if (all(every(crosses, some(outside, is_unwanted(wanted, way, way_error, size, size_error))))) {
             const mask_t<W> no = size < W(0);
-            const crossing<W> none{no, !no, W(0), E(0), no, {}, W(0), W(0), no, true};
-            return {none, size, u, v, size_error, u_error, v_error};
+            return {{no, !no, W(0), E(0), no, {}, W(0), W(0), no, true}, size, u, v, size_error, u_error, v_error};
         }
     }
     // |way / size - t| is at most (way_error + |t| size_error) / (size - size_error), and size is twice its error.
@@ -96,14 +95,20 @@ RAIO_FN constexpr edge_crossing<W> cross_edges(const vec3<W>& corner, const vec3
         E looser = E(2) * k * triple_product_bound(e2, s, e1) * E(over_size);
         t_error = max(t_error, min(looser, abs(E(t)) * E(0x1p-4)));
     }
-    crossing<W> c{.exists = every(size > W(0), within >= W(0)),
-                  .certain = every(crosses, some(outside, within > error)),
-                  .t = t,
-                  .error = t_error,
-                  .entering = det > W(0),
-                  .u = u * over_size,
-                  .v = v * over_size};
-    return {c, size, u, v, size_error, u_error, v_error};
+    // Made in place: a copy of packs would go through memory.
+    return {{.exists = every(size > W(0), within >= W(0)),
+             .certain = every(crosses, some(outside, within > error)),
+             .t = t,
+             .error = t_error,
+             .entering = det > W(0),
+             .u = u * over_size,
+             .v = v * over_size},
+            size,
+            u,
+            v,
+            size_error,
+            u_error,
+            v_error};
 }
 
 /// Where a line crosses the plane of two edges.

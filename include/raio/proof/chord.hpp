@@ -120,8 +120,7 @@ RAIO_FN constexpr chord<W> only_if(const verdict<mask_t<W>>& holds, chord<W> c) 
 template <class W>
 RAIO_FN constexpr chord<W> nowhere(const mask_t<W>& certain = mask_t<W>(true)) {
     const mask_t<W> no = W(0) != W(0);
-    const crossing<W> none{no, certain, W(0), bound_t<W>(0), no};
-    return {none, none};
+    return {{no, certain, W(0), bound_t<W>(0), no}, {no, certain, W(0), bound_t<W>(0), no}};
 }
 
 /// The same, whichever it is that is wanted.

@@ -152,18 +152,17 @@ private:
         const auto axis_of = [](const W& t, const W& t_x, const W& t_y) {
             return choose(t_x == t, index_t<W>(0), choose(t_y == t, index_t<W>(1), index_t<W>(2)));
         };
-        chord<W> c{{exists, certain, near, near_error, exists, axis_of(near, x.x, y.x)},
-                   {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y)}};
-        if constexpr (detail::keeps_all_digits<T>) {  // do two of the three end as near?
-            const auto two_of = [](const W& t, const E& error, const W& t_x, const W& t_y, const W& t_z) {
-                const auto is_near = [&](const W& other) { return abs(E(other - t)) <= E(2) * error; };
-                const mask_t<W> at_x = is_near(t_x), at_y = is_near(t_y), at_z = is_near(t_z);
-                return some(every(at_x, at_y), every(at_y, at_z), every(at_z, at_x));
-            };
-            c.near.shared = two_of(near, near_error, x.x, y.x, z.x);
-            c.far.shared = two_of(far, far_error, x.y, y.y, z.y);
-        }
-        return c;
+        // Do two of the three end as near?
+        const auto shared = [](const W& t, const E& error, const W& t_x, const W& t_y, const W& t_z) {
+            if constexpr (!detail::keeps_all_digits<T>) return mask_t<W>{};
+            const auto is_near = [&](const W& other) { return abs(E(other - t)) <= E(2) * error; };
+            const mask_t<W> at_x = is_near(t_x), at_y = is_near(t_y), at_z = is_near(t_z);
+            return some(every(at_x, at_y), every(at_y, at_z), every(at_z, at_x));
+        };
+        return {{exists, certain, near, near_error, exists, axis_of(near, x.x, y.x), W(0), W(0),
+                 shared(near, near_error, x.x, y.x, z.x)},
+                {exists, certain, far, far_error, !exists, axis_of(far, x.y, y.y), W(0), W(0),
+                 shared(far, far_error, x.y, y.y, z.y)}};
     }
 };
 
