@@ -178,6 +178,36 @@ RAIO_FORMULA constexpr auto every_end(const Shape& shape, const Line& line) {
     }
 }
 
+/// Is it beyond doubt what is recorded of an end?
+template <class Shape, real T, class W>
+RAIO_FN constexpr bool is_known_end(const crossing<W>& c) {
+    if constexpr (is_endless<Shape, mapped_line<W>>) {
+        if (c.certain && !is_finite(c.t) && c.error == bound_t<W>(0)) return true;
+    }
+    if constexpr (keeps_all_digits<T>) {
+        return is_known<T>(c);
+    } else {
+        return c.certain && rounds_to_one<T>(c);
+    }
+}
+
+/// Where the line is inside a convex solid, if the quick crossings have not answered it. Out of line, as
+/// `settle_closer` is.
+template <class Shape, class Origin, real T = typename Shape::number>
+RAIO_RARELY RAIO_FN constexpr interval<T> inside_closer(const Shape& shape, const Origin& origin) {
+    const auto& ray = made_of(origin);
+    const auto exact = every_end(shape, line_in<exact_t<T>>(ray));
+    if constexpr (keeps_all_digits<T>) {  // the same that `visit_recorded` finds
+        const auto quick = every_end(shape, line_in<working_t<T>>(ray));
+        const bool known = is_known_end<Shape, T>(quick.near);
+        const bool found = exact.far.exists || (!known && exact.near.exists);
+        const auto& open = known ? quick.far : quick.near;
+        if (!found && open.exists && open.certain) return between_ends<T>(quick.near, quick.far);
+        if (known) return between_ends<T>(quick.near, exact.far);
+    }
+    return between_ends<T>(exact.near, exact.far);
+}
+
 }  // namespace detail
 
 /// Where the line is inside a solid whose crossings these are.
@@ -189,31 +219,15 @@ RAIO_FN constexpr interval<T> spans_between(const chord<W>& c) {
 /// Where the line is inside a convex solid; empty where it misses. Both ends are what a hit records for t,
 /// or infinite where the solid has no end.
 template <class Shape, class Ray>
-RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
+RAIO_FLATTEN RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
     using T = typename Shape::number;
     if constexpr (detail::works_first<T>) {
         detail::keep_as_stored<T>(shape, unmapped(ray));
-        auto quick = detail::every_end(shape, line_in<working_t<T>>(ray));
-        auto& [near, far] = quick;
+        auto [near, far] = detail::every_end(shape, line_in<working_t<T>>(ray));
         const bool missed = every(!near.exists, !far.exists, near.certain, far.certain);
-        const auto is_known = [](const auto& c) {
-            if constexpr (detail::is_endless<Shape, mapped_line<working_t<T>>>) {
-                if (c.certain && !is_finite(c.t) && c.error == bound_t<working_t<T>>(0)) return true;
-            }
-            if constexpr (detail::keeps_all_digits<T>) return detail::is_known<T>(c);
-            return c.certain && detail::rounds_to_one<T>(c);
-        };
-        const bool known = is_known(near);
-        if (missed || every(known, is_known(far))) [[likely]]
+        if (missed || every(detail::is_known_end<Shape, T>(near), detail::is_known_end<Shape, T>(far))) [[likely]]
             return detail::between_ends<T>(near, far);
-        const auto exact = detail::every_end(shape, line_in<exact_t<T>>(ray));
-        if constexpr (detail::keeps_all_digits<T>) {  // the same that `visit_recorded` finds
-            const bool found = exact.far.exists || (!known && exact.near.exists);
-            const crossing<working_t<T>>& open = known ? far : near;
-            if (!found && open.exists && open.certain) return detail::between_ends<T>(near, far);
-            if (known) return detail::between_ends<T>(near, exact.far);
-        }
-        return detail::between_ends<T>(exact.near, exact.far);
+        return detail::inside_closer(shape, detail::origin_of(ray));
     } else {
         return spans_between<T>(detail::every_end(shape, line_in<exact_t<T>>(ray)));
     }
