@@ -52,6 +52,14 @@ TEST_CASE("spans: what meets becomes one, what is empty is not added") {
     CHECK(same(listed<3>({{1, 2}, {4, 3}, {5, 5}}), {{1, 2}, {5, 5}}));
 }
 
+TEST_CASE("spans: what is made of each of them") {
+    const auto in_floats = [](const interval<double>& i) { return interval<float>{float(i.min), float(i.max)}; };
+    const spans<float, 4> made = listed<4>({{0, 1}, {2, 3}}).each(in_floats);
+    REQUIRE(made.count == 2);
+    CHECK((made.intervals[0] == interval<float>{0, 1} && made.intervals[1] == interval<float>{2, 3}));
+    CHECK(spans<double, 4>().each(in_floats).empty());
+}
+
 TEST_CASE_TEMPLATE("spans: inserted anywhere, what meets becomes one", Spans, spans<double, 4>,
                    spans<double, any_number>) {
     Spans list;

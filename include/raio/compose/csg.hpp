@@ -71,13 +71,9 @@ RAIO_FN constexpr auto ends_of(const P& shape, const Ray& ray, index_t<number_t<
         return shape.ends(ray, first);
     } else {
         using T = number_t<P>;
-        const spans inside = spans_of(shape, ray);
-        const auto marked = [&]<std::size_t N>(const spans<T, N>& list) {
-            spans<leaf_end<T>, N> ends;
-            for (const interval<T>& i : list) ends.append({{i.min, first}, {i.max, first}});
-            return ends;
-        };
-        return marked(inside);
+        return spans(spans_of(shape, ray)).each([&](const interval<T>& i) {
+            return interval<leaf_end<T>>{{i.min, first}, {i.max, first}};
+        });
     }
 }
 
@@ -120,12 +116,7 @@ struct csg {
 
     template <ray_of<T> Ray = raio::ray<T>>
     RAIO_FN constexpr auto spans(const Ray& ray) const {
-        const auto unmarked = []<std::size_t N>(const raio::spans<detail::leaf_end<T>, N>& ends) {
-            raio::spans<T, N> inside;
-            for (const auto& i : ends) inside.append({i.min.t, i.max.t});
-            return inside;
-        };
-        return unmarked(ends(ray, 0));
+        return ends(ray, 0).each([](const auto& i) { return interval<T>{i.min.t, i.max.t}; });
     }
 
     RAIO_FN constexpr aabb<T> bounds() const requires(bounded<detail::held_t<A>>&& bounded<detail::held_t<B>>) {

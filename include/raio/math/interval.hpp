@@ -62,6 +62,17 @@ struct spans {
         return false;
     }
 
+    /// What `f` makes of each of the intervals, which stay apart and in order.
+    template <class F>
+    RAIO_FN constexpr auto each(F f) const {
+        using U = decltype(f(intervals[0]).min);
+        spans<U, N> made;
+        made.count = count;
+        if constexpr (N == any_number) made.intervals.resize(count);
+        for (std::size_t i = 0; i < count; ++i) made.intervals[i] = f(intervals[i]);
+        return made;
+    }
+
     /// Adds an interval that starts no earlier than the last one; where the two meet they become one.
     RAIO_FN constexpr void append(const interval<T>& next) {
         if (next.empty()) return;
