@@ -1,3 +1,4 @@
+#include <raio/math/any_number_of_spans.hpp>
 #include <raio/math/interval.hpp>
 
 #include <doctest/doctest.h>
