@@ -110,6 +110,19 @@ template <class T, class Line, class L, class D, class W, int M>
     return {a, b, s2, of_a, bound};
 }
 
+/// The same numbers as doubles whose products may be fused with a sum: for a verdict that is right either way.
+template <int K>
+RAIO_FN constexpr rounded_number<double, K> in_doubles(const rounded_number<strict_double, K>& a) {
+    return {double(a.value)};
+}
+template <int K>
+RAIO_FN constexpr rounded_vector<double, K> in_doubles(const rounded_vector<strict_double, K>& v) {
+    return {double(v.x), double(v.y), double(v.z)};
+}
+RAIO_FN constexpr bounded_vector<double> in_doubles(const bounded_vector<strict_double>& v) {
+    return {double(v.x), double(v.y), double(v.z), double(v.error)};
+}
+
 /// Is a ray of floats asked in floats first, whether it passes? Most spheres of a scene are missed.
 template <class Line, class T>
 inline constexpr bool looks_in_floats =
@@ -145,6 +158,13 @@ template <class T, class Line, proven_vector L, proven_vector D, int M, class Po
         return between(every(is_positive(radius), crosses), enters, leaves);
     }
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
+    if constexpr (std::same_as<W, strict_double> && !has_spare_digits<W, T>) {
+        using detail::in_doubles;
+        if (detail::look_at_sphere<T, Line>(in_doubles(l), in_doubles(d), in_doubles(radius)).passes()) {
+            return nowhere<W>();
+        }
+        return cross_sphere(l, d, radius);
+    }
 
     auto look = detail::look_at_sphere<T, Line>(l, d, radius);
     mask_t<W> passes = look.passes();
