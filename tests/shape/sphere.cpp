@@ -136,6 +136,28 @@ TEST_CASE_TEMPLATE("sphere: as exact arithmetic", T, RAIO_NUMBERS) {
     check_bounds_of_errors<sphere<T>>(test_rays / 20);
 }
 
+TEST_CASE_TEMPLATE("sphere: passed by no line but those that miss", T, RAIO_NUMBERS) {
+    random_numbers random(1);
+    for (int i = 0; i < at_least(20'000); ++i) {
+        const sphere<T> ball{vec3<T>(random.direction() * random.log_uniform(1e-3, 1e3)),
+                             static_cast<T>(random.log_uniform(1e-3, 1e3))};
+        const vec3<double> across = random.direction(), along = random.perpendicular(across);
+        const double off = random.one_in(2) ? random.log_uniform(1e-9, 10) : 0, side = random.one_in(2) ? 1 : -1;
+        const vec3<double> beside = vec3<double>(ball.center) + across * (double(ball.radius) * (1 + side * off));
+        const ray<T> ray{vec3<T>(beside - along * random.uniform(-9, 9)),
+                         vec3<T>(along * random.log_uniform(1e-9, 1e9))};
+        const vec3<oracle> l = vec3<oracle>(ball.center) - vec3<oracle>(ray.origin), d(ray.direction);
+        const vec3<oracle> beyond = cross(l, d);
+        if (ball.is_passed_by(ray)) CHECK(dot(beyond, beyond) > dot(d, d) * oracle(ball.radius) * oracle(ball.radius));
+    }
+    const sphere<T> unit{{0, 0, 0}, 1};
+    CHECK(unit.is_passed_by({{T(1.01), 0, 5}, {0, 0, -1}}));
+    CHECK(!unit.is_passed_by({{1, 0, 5}, {0, 0, -1}}));
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    CHECK(!unit.is_passed_by({{2, nan, 0}, {0, 0, 1}}));
+    CHECK(!sphere<T>{{0, 0, 0}, infinity<T>}.is_passed_by({{2, 0, 0}, {0, 0, 1}}));
+}
+
 TEST_CASE_TEMPLATE("sphere: area, and samples spread evenly over it", T, RAIO_NUMBERS) {
     CHECK(sphere<T>{{1, 2, 3}, 2}.area() == doctest::Approx(16 * std::numbers::pi));
     const auto to_square = [](const hit_record<T>& rec) {

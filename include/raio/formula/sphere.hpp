@@ -111,22 +111,10 @@ template <class T, class Line, class L, class D, class W, int M>
 }
 
 /// The same numbers as doubles whose products may be fused with a sum: for a verdict that is right either way.
-template <int K>
-RAIO_FN constexpr rounded_number<double, K> in_doubles(const rounded_number<strict_double, K>& a) {
-    return {double(a.value)};
-}
-template <int K>
-RAIO_FN constexpr rounded_vector<double, K> in_doubles(const rounded_vector<strict_double, K>& v) {
-    return {double(v.x), double(v.y), double(v.z)};
-}
+RAIO_FN constexpr given_number<double> in_doubles(const given_number<strict_double>& a) { return {double(a.value)}; }
 RAIO_FN constexpr bounded_vector<double> in_doubles(const bounded_vector<strict_double>& v) {
     return {double(v.x), double(v.y), double(v.z), double(v.error)};
 }
-
-/// Is a ray of floats asked in floats first, whether it passes? Most spheres of a scene are missed.
-template <class Line, class T>
-inline constexpr bool looks_in_floats =
-    Line::is_exact&& std::same_as<T, float>&& std::same_as<typename Line::number, strict_double>;
 
 }  // namespace detail
 
@@ -159,9 +147,11 @@ template <class T, class Line, proven_vector L, proven_vector D, int M, class Po
     }
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
     if constexpr (std::same_as<W, strict_double> && !has_spare_digits<W, T>) {
-        using detail::in_doubles;
-        if (detail::look_at_sphere<T, Line>(in_doubles(l), in_doubles(d), in_doubles(radius)).passes()) {
-            return nowhere<W>();
+        if constexpr (!Line::is_exact) {  // of other lines it has been asked whether they pass
+            using detail::in_doubles;
+            if (detail::look_at_sphere<T, Line>(in_doubles(l), in_doubles(d), in_doubles(radius)).passes()) {
+                return nowhere<W>();
+            }
         }
         return cross_sphere(l, d, radius);
     }
@@ -188,18 +178,21 @@ template <class T, class Line, proven_vector L, proven_vector D, int M, class Po
     return {select(known, c.near, other.near), select(known, c.far, other.far)};
 }
 
+/// Does a line pass the sphere, beyond doubt? Found in the numbers that both are made of, whose products may be fused
+/// with a sum: the verdict is right either way.
+template <std::floating_point T>
+RAIO_FN constexpr bool passes_sphere(const vec3<T>& center, const T& radius, const ray<T>& ray) {
+    using own = raio::line<T>;
+    const own line(ray);
+    return detail::look_at_sphere<T, own>(line.to(center), line.direction(), line.given(radius)).passes();
+}
+
 /// The chord through the sphere about a center.
 template <class Line, real T>
 [[gnu::always_inline]] RAIO_FORMULA constexpr auto cross_sphere_about(const vec3<T>& center, const T& radius,
                                                                       const Line& line)
     -> chord<typename Line::number> {
     using W = typename Line::number;
-    if constexpr (detail::looks_in_floats<Line, T>) {
-        const raio::line<float> quick(line.ray);
-        if (detail::look_at_sphere<T, Line>(quick.to(center), quick.direction(), quick.given(radius)).passes()) {
-            return nowhere<W>();
-        }
-    }
     const auto power = [&](const auto& origin) {
         using D = wide_t<W>;
         return power_of_point<1, W>(difference_as<D>(center, origin), D(radius));

@@ -79,8 +79,9 @@ struct root_pair {
 
 /// \param root  of b^2 - a c, found without that difference, which may cancel
 template <proven_number A, class W>
-RAIO_FN constexpr root_pair<W> quadratic_roots(const A& a, const bounded_number<W>& b, const bounded_number<W>& c,
-                                               const bounded_number<W>& root) {
+[[gnu::always_inline]] RAIO_FN constexpr root_pair<W> quadratic_roots(const A& a, const bounded_number<W>& b,
+                                                                      const bounded_number<W>& c,
+                                                                      const bounded_number<W>& root) {
     using E = bound_t<W>;
     const auto over_a = inverse(a);
     // Both ends are off by no more than the one that is farther away.

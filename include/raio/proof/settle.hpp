@@ -127,24 +127,60 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_
     return settle_closer(shape, origin_of(ray), t_min, t_max, then);
 }
 
+/// A shape that knows of most rays that they miss, sooner than it finds crossings.
+template <class Shape, class Ray>
+concept is_often_passed = std::floating_point<typename Shape::number> && requires(const Shape& shape, const Ray& ray) {
+    shape.is_passed_by(ray);
+};
+
+/// Is that known of this ray?
+template <class Shape, class Ray>
+RAIO_FN constexpr bool is_passed([[maybe_unused]] const Shape& shape, [[maybe_unused]] const Ray& ray) {
+    if constexpr (is_often_passed<Shape, Ray>) {
+        keep_as_stored<typename Shape::number>(shape, ray);
+        return shape.is_passed_by(ray);
+    } else {
+        return false;
+    }
+}
+
+/// The same as `settle`, in a function of its own.
+template <question Asked, real T, class Shape, class Ray, class Then>
+[[gnu::noinline]] RAIO_FLATTEN RAIO_FN constexpr mask_t<T> settle_apart(const Shape& shape, const Ray& ray, T t_min,
+                                                                        T t_max, Then then) {
+    return settle<Asked>(shape, ray, t_min, t_max, then);
+}
+
+/// The same, where that is asked first. So a ray that misses costs no call, and no registers that only a hit needs.
+template <question Asked, real T, class Shape, class Ray, class Then>
+RAIO_FORMULA constexpr mask_t<T> settle_unless_passed(const Shape& shape, const Ray& ray, T t_min, T t_max, Then then) {
+    if constexpr (is_often_passed<Shape, Ray> && Asked != question::only_where) {
+        if (is_passed(shape, ray)) return false;
+        if constexpr (Asked == question::where) return settle_apart<Asked>(shape, ray, t_min, t_max, then);
+    }
+    return settle<Asked>(shape, ray, t_min, t_max, then);
+}
+
 }  // namespace detail
 
 /// `occluded` of every shape that has `crossings(line)`, a crossing or a chord: is there one with t in [t_min,
 /// t_max]?
 template <real T, class Shape, class Ray>
 RAIO_FLATTEN RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const Ray& ray, T t_min, T t_max) {
-    return detail::settle<detail::question::whether>(shape, ray, t_min, t_max,
-                                                     [](const auto&, const auto& crossing) { return crossing.exists; });
+    return detail::settle_unless_passed<detail::question::whether>(
+        shape, ray, t_min, t_max, [](const auto&, const auto& crossing) { return crossing.exists; });
 }
 
 /// `hit` of every shape that has also `surface(at)`: the same crossing, and what to record of it.
 /// \tparam Asked  `only_where` if there is one beyond doubt
 template <detail::question Asked = detail::question::where, real T, class Shape, class Ray, record Record>
 RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
-    return detail::settle<Asked>(shape, ray, t_min, t_max, [&](const auto& same_ray, const auto& crossing) {
-        if (crossing.exists) detail::record_crossing(shape, same_ray, crossing, rec);
-        return crossing.exists;
-    });
+    return detail::settle_unless_passed<Asked>(shape, ray, t_min, t_max,
+                                               [&](const auto& same_ray, const auto& crossing) {
+                                                   if (crossing.exists)
+                                                       detail::record_crossing(shape, same_ray, crossing, rec);
+                                                   return crossing.exists;
+                                               });
 }
 
 namespace detail {
@@ -216,21 +252,31 @@ RAIO_FN constexpr interval<T> spans_between(const chord<W>& c) {
     return detail::between_ends<T>(c.near, c.far);
 }
 
+namespace detail {
+
+/// Where the line is inside a convex solid, in a function of its own.
+template <class Shape, class Ray, real T = typename Shape::number>
+[[gnu::noinline]] RAIO_FLATTEN RAIO_FN constexpr interval<T> inside_apart(const Shape& shape, const Ray& ray) {
+    if constexpr (works_first<T>) {
+        keep_as_stored<T>(shape, unmapped(ray));
+        auto [near, far] = every_end(shape, line_in<working_t<T>>(ray));
+        const bool missed = every(!near.exists, !far.exists, near.certain, far.certain);
+        if (missed || every(is_known_end<Shape, T>(near), is_known_end<Shape, T>(far))) [[likely]]
+            return between_ends<T>(near, far);
+        return inside_closer(shape, origin_of(ray));
+    } else {
+        return spans_between<T>(every_end(shape, line_in<exact_t<T>>(ray)));
+    }
+}
+
+}  // namespace detail
+
 /// Where the line is inside a convex solid; empty where it misses. Both ends are what a hit records for t,
 /// or infinite where the solid has no end.
 template <class Shape, class Ray>
-RAIO_FLATTEN RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
-    using T = typename Shape::number;
-    if constexpr (detail::works_first<T>) {
-        detail::keep_as_stored<T>(shape, unmapped(ray));
-        auto [near, far] = detail::every_end(shape, line_in<working_t<T>>(ray));
-        const bool missed = every(!near.exists, !far.exists, near.certain, far.certain);
-        if (missed || every(detail::is_known_end<Shape, T>(near), detail::is_known_end<Shape, T>(far))) [[likely]]
-            return detail::between_ends<T>(near, far);
-        return detail::inside_closer(shape, detail::origin_of(ray));
-    } else {
-        return spans_between<T>(detail::every_end(shape, line_in<exact_t<T>>(ray)));
-    }
+RAIO_FN constexpr auto inside_of(const Shape& shape, const Ray& ray) {
+    if (detail::is_passed(shape, ray)) return interval<typename Shape::number>{};
+    return detail::inside_apart(shape, ray);
 }
 
 }  // namespace raio::inline RAIO_ABI

@@ -58,6 +58,11 @@ struct sphere {
         return cross_sphere_about(center, radius, line);
     }
 
+    /// Does the ray's line miss, beyond doubt? Asked before `crossings`: most spheres of a scene are missed.
+    RAIO_FN constexpr bool is_passed_by(const ray<T>& ray) const requires std::floating_point<T> {
+        return passes_sphere(center, radius, ray);
+    }
+
     /// What `hit` records of a point of the surface.
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
