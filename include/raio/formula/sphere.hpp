@@ -111,7 +111,14 @@ template <class T, class Line, class L, class D, class W, int M>
 }
 
 /// The same numbers as doubles whose products may be fused with a sum: for a verdict that is right either way.
-RAIO_FN constexpr given_number<double> in_doubles(const given_number<strict_double>& a) { return {double(a.value)}; }
+template <int K>
+RAIO_FN constexpr rounded_number<double, K> in_doubles(const rounded_number<strict_double, K>& a) {
+    return {double(a.value)};
+}
+template <int K>
+RAIO_FN constexpr rounded_vector<double, K> in_doubles(const rounded_vector<strict_double, K>& v) {
+    return {double(v.x), double(v.y), double(v.z)};
+}
 RAIO_FN constexpr bounded_vector<double> in_doubles(const bounded_vector<strict_double>& v) {
     return {double(v.x), double(v.y), double(v.z), double(v.error)};
 }
@@ -147,11 +154,9 @@ template <class T, class Line, proven_vector L, proven_vector D, int M, class Po
     }
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
     if constexpr (std::same_as<W, strict_double> && !has_spare_digits<W, T>) {
-        if constexpr (!Line::is_exact) {  // of other lines it has been asked whether they pass
-            using detail::in_doubles;
-            if (detail::look_at_sphere<T, Line>(in_doubles(l), in_doubles(d), in_doubles(radius)).passes()) {
-                return nowhere<W>();
-            }
+        using detail::in_doubles;
+        if (detail::look_at_sphere<T, Line>(in_doubles(l), in_doubles(d), in_doubles(radius)).passes()) {
+            return nowhere<W>();
         }
         return cross_sphere(l, d, radius);
     }
@@ -197,7 +202,14 @@ template <class Line, real T>
         using D = wide_t<W>;
         return power_of_point<1, W>(difference_as<D>(center, origin), D(radius));
     };
-    return cross_sphere_along<T>(line, line.to(center), line.direction(), line.given(radius), power);
+    auto l = line.to(center);
+    auto d = line.direction();
+    auto r = line.given(radius);
+    if constexpr (Line::is_exact && std::same_as<W, strict_double> && !has_spare_digits<W, T>) {
+        return cross_sphere(l, d, r);  // it has been asked whether the line passes
+    } else {
+        return cross_sphere_along<T>(line, l, d, r, power);
+    }
 }
 
 }  // namespace raio::inline RAIO_ABI
