@@ -113,20 +113,6 @@ RAIO_RARELY RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const 
     }
 }
 
-/// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
-template <question Asked, real T, class Shape, class Ray, class Then>
-RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_min, T t_max, Then then) {
-    if constexpr (works_first<T>) {
-        keep_as_stored<T>(shape, unmapped(ray));
-        auto found = crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max);
-        if (missed(found)) return mask_t<T>(false);
-        auto [first, known] = settled_in_window<Asked>(found, t_min, t_max);
-        if (known) [[likely]]
-            return then(ray, first);
-    }
-    return settle_closer(shape, origin_of(ray), t_min, t_max, then);
-}
-
 /// A shape that knows of most rays that they miss, sooner than it finds crossings.
 template <class Shape, class Ray>
 concept is_often_passed = std::floating_point<typename Shape::number> && requires(const Shape& shape, const Ray& ray) {
@@ -144,20 +130,28 @@ RAIO_FN constexpr bool is_passed([[maybe_unused]] const Shape& shape, [[maybe_un
     }
 }
 
-/// The same as `settle`, in a function of its own.
+/// Finds the first crossing in the window, in the precision that it takes, and returns what `then` makes of it.
+template <question Asked, real T, class Shape, class Ray, class Then>
+RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_min, T t_max, Then then) {
+    if constexpr (Asked == question::whether) {
+        if (is_passed(shape, ray)) return mask_t<T>(false);
+    }
+    if constexpr (works_first<T>) {
+        keep_as_stored<T>(shape, unmapped(ray));
+        auto found = crossings_for<working_t<T>, Asked>(shape, ray, t_min, t_max);
+        if (missed(found)) return mask_t<T>(false);
+        auto [first, known] = settled_in_window<Asked>(found, t_min, t_max);
+        if (known) [[likely]]
+            return then(ray, first);
+    }
+    return settle_closer(shape, origin_of(ray), t_min, t_max, then);
+}
+
+/// The same in a function of its own: a ray that is known to miss costs no call, and no registers that only a hit
+/// needs.
 template <question Asked, real T, class Shape, class Ray, class Then>
 [[gnu::noinline]] RAIO_FLATTEN RAIO_FN constexpr mask_t<T> settle_apart(const Shape& shape, const Ray& ray, T t_min,
                                                                         T t_max, Then then) {
-    return settle<Asked>(shape, ray, t_min, t_max, then);
-}
-
-/// The same, where that is asked first. So a ray that misses costs no call, and no registers that only a hit needs.
-template <question Asked, real T, class Shape, class Ray, class Then>
-RAIO_FORMULA constexpr mask_t<T> settle_unless_passed(const Shape& shape, const Ray& ray, T t_min, T t_max, Then then) {
-    if constexpr (is_often_passed<Shape, Ray> && Asked != question::only_where) {
-        if (is_passed(shape, ray)) return false;
-        if constexpr (Asked == question::where) return settle_apart<Asked>(shape, ray, t_min, t_max, then);
-    }
     return settle<Asked>(shape, ray, t_min, t_max, then);
 }
 
@@ -167,20 +161,24 @@ RAIO_FORMULA constexpr mask_t<T> settle_unless_passed(const Shape& shape, const 
 /// t_max]?
 template <real T, class Shape, class Ray>
 RAIO_FLATTEN RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const Ray& ray, T t_min, T t_max) {
-    return detail::settle_unless_passed<detail::question::whether>(
-        shape, ray, t_min, t_max, [](const auto&, const auto& crossing) { return crossing.exists; });
+    return detail::settle<detail::question::whether>(shape, ray, t_min, t_max,
+                                                     [](const auto&, const auto& crossing) { return crossing.exists; });
 }
 
 /// `hit` of every shape that has also `surface(at)`: the same crossing, and what to record of it.
 /// \tparam Asked  `only_where` if there is one beyond doubt
 template <detail::question Asked = detail::question::where, real T, class Shape, class Ray, record Record>
 RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
-    return detail::settle_unless_passed<Asked>(shape, ray, t_min, t_max,
-                                               [&](const auto& same_ray, const auto& crossing) {
-                                                   if (crossing.exists)
-                                                       detail::record_crossing(shape, same_ray, crossing, rec);
-                                                   return crossing.exists;
-                                               });
+    const auto record = [&](const auto& same_ray, const auto& crossing) {
+        if (crossing.exists) detail::record_crossing(shape, same_ray, crossing, rec);
+        return crossing.exists;
+    };
+    if constexpr (Asked == detail::question::where && detail::is_often_passed<Shape, Ray>) {
+        if (detail::is_passed(shape, ray)) return false;
+        return detail::settle_apart<Asked>(shape, ray, t_min, t_max, record);
+    } else {
+        return detail::settle<Asked>(shape, ray, t_min, t_max, record);
+    }
 }
 
 namespace detail {
