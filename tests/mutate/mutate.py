@@ -30,10 +30,10 @@ ACCEPTED = pathlib.Path(__file__).with_name("accepted.txt")
 # Which shapes answer for a header beside the test of its name.
 SHAPES = {
     "proof/settle.hpp": ["shape/sphere"],
-    "proof/window.hpp": ["settle", "settle_lanes", "shape/sphere"],
+    "proof/window.hpp": ["proof/settle", "proof/settle_lanes", "shape/sphere"],
     "proof/record.hpp": ["hit_record", "shape/sphere", "shape/box", "shape/teardrop"],
     "proof/settle_lanes.hpp": ["simd/shapes"],
-    "proof/lanes.hpp": ["settle_lanes", "shape/torus"],
+    "proof/lanes.hpp": ["proof/settle_lanes", "shape/torus"],
     "formula/sphere.hpp": ["shape/sphere", "simd/shapes"],
     "proof/crossing.hpp": ["shape/cylinder", "shape/box"],
     "proof/chord.hpp": ["shape/cylinder", "shape/box", "shape/hyperboloid"],
