@@ -81,15 +81,14 @@ struct polynomial {
     /// Accuracy and Stability of Numerical Algorithms, 5.1.) And what products too small for their digits have lost.
     ///
     /// The bound is itself rounded, less than 2 N + 5 times here, and so were the errors it is made of, some fifty
-    /// times in a product of products: of 128 roundings there is room for those. Coefficients that are believed have no
-    /// error.
+    /// times in a product of products: of 128 roundings there is room for those.
     RAIO_FN constexpr polynomial<bound_t<W>, N> noise() const {
         using E = bound_t<W>;
         const E rounded_up(1 + 128 * unit_roundoff<E>);
         polynomial<E, N> bound{{E(least_normal<W>)}};
         for (std::size_t k = 0; k <= N; ++k) {
-            const E own = is_believed<W> ? E(0) : error[k];
-            bound.coefficient[k] += (own + E((2 * N + 2) * unit_roundoff<W>) * E(abs(coefficient[k]))) * rounded_up;
+            bound.coefficient[k] +=
+                (error[k] + E((2 * N + 2) * unit_roundoff<W>) * E(abs(coefficient[k]))) * rounded_up;
         }
         return bound;
     }

@@ -280,9 +280,12 @@ private:
         // from next to t, if that is no longer a small part of the interval: of a root of a higher order the slope,
         // which is all but zero there, would have it anywhere.
         E by_slope = quotient(E(4) * noise_at(t), abs(slope), step);
-        E reach = (by_slope < E(0x1p-10) * E(to.t - from.t) ? by_slope : E(0)) + step * left_of_step(tolerance) +
-                  resolution(t);
-        if constexpr (is_believed<W>) return {t, reach, from.sign, to.sign, abs(slope) * reach + noise_at(t)};
+        const E beside = step * left_of_step(tolerance) + resolution(t);
+        if constexpr (is_believed<W>) {
+            const E error = min(by_slope, E(to.t - from.t)) + beside;
+            return {t, error, from.sign, to.sign, abs(slope) * error + noise_at(t)};
+        }
+        E reach = (by_slope < E(0x1p-10) * E(to.t - from.t) ? by_slope : E(0)) + beside;
         for (;;) {
             W left = max(from.t, t - W(reach)), right = min(to.t, t + W(reach)), at_left = p_(left),
               at_right = p_(right);
