@@ -77,8 +77,8 @@ bool compare(const std::string& name, const bench::triangle_tree& tree, const pe
         if (same(ours, theirs)) continue;
         const answer exactly = truth(triangles, r, set);
         ++differ;
-        raio_right += ours == exactly ? 1 : 0;
-        peer_right += same(exactly, theirs) ? 1 : 0;
+        raio_right += ours == exactly ? 1u : 0u;
+        peer_right += same(exactly, theirs) ? 1u : 0u;
         if (!list) continue;
         const auto text = [](const answer& a) { return a ? std::to_string(*a) : std::string("none"); };
         std::printf("%s %s: origin %a %a %a, direction %a %a %a: raio %s, Embree %s, exact %s\n", name.c_str(),

@@ -49,10 +49,10 @@ void trace(benchmark::State& state, const Tree& tree, const ray_set& set) {
         hits = 0;
         for (const auto& ray : set.rays) {
             if (set.any) {
-                hits += tree.occluded(ray, 0, set.t_max) ? 1 : 0;
+                hits += tree.occluded(ray, 0, set.t_max) ? 1u : 0u;
             } else {
                 Record rec;
-                hits += tree.hit(ray, 0, set.t_max, rec) ? 1 : 0;
+                hits += tree.hit(ray, 0, set.t_max, rec) ? 1u : 0u;
                 benchmark::DoNotOptimize(std::as_const(rec));
             }
         }

@@ -34,7 +34,7 @@ inline std::vector<raio::ray<float>> primary_rays(const camera& view) {
     };
     for (int row = 0; row < picture_side; ++row) {
         for (int column = 0; column < picture_side; ++column) {
-            rays.push_back({view.eye, raio::normalize(vec3(right * offset(column) - up * offset(row) - back))});
+            rays.push_back({view.eye, raio::normalize(right * offset(column) - up * offset(row) - back)});
         }
     }
     return rays;

@@ -17,7 +17,7 @@ using vec3 = raio::vec3<float>;
 /// The point of an octahedron's face, seen from the centre as one of a sphere.
 vec3 on_sphere(const std::array<vec3, 3>& corners, int i, int j, int n) {
     const float u = float(i) / float(n), v = float(j) / float(n);
-    return raio::normalize(vec3(corners[0] * (1 - u - v) + corners[1] * u + corners[2] * v));
+    return raio::normalize(corners[0] * (1 - u - v) + corners[1] * u + corners[2] * v);
 }
 
 /// Appends an octahedron whose faces are split into n^2 triangles each, every vertex moved to where `place` says.
