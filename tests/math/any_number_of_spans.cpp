@@ -27,7 +27,9 @@ TEST_CASE("what is made of spans of any number has any number") {
     CHECK(intersect(one, many).count == 10);
     CHECK(subtract(one, many).count == 9);
     static_assert(std::same_as<decltype(subtract(one, many)), spans<double, any_number>>);
-    const spans<double, any_number> moved = many.each([](const auto& i) { return interval<double>{i.min + 1, i.max + 1}; });
+    const spans<double, any_number> moved = many.each([](const auto& i) {
+        return interval<double>{i.min + 1, i.max + 1};
+    });
     REQUIRE(moved.count == 10);
     CHECK(moved.intervals[9] == interval<double>{19, 20});
 }
