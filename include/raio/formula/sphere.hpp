@@ -206,7 +206,7 @@ template <class Line, real T>
     auto d = line.direction();
     auto r = line.given(radius);
     if constexpr (Line::is_exact && std::same_as<W, strict_double> && !has_spare_digits<W, T>) {
-        return cross_sphere(l, d, r);  // it has been asked whether the line passes
+        return cross_sphere(l, d, r);  // `hit` and `occluded` have asked before whether the line passes
     } else {
         return cross_sphere_along<T>(line, l, d, r, power);
     }

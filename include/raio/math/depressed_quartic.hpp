@@ -33,9 +33,9 @@ public:
     RAIO_FN constexpr depressed_quartic(const polynomial<W, 4>& p, const E& noise)
         : c0_(p.coefficient[0]), c1_(p.coefficient[1]), c2_(p.coefficient[2]), c4_(p.coefficient[4]) {
         // The polynomial that is meant has its inflection elsewhere: w^2 is off by some d, no more than noise / c4.
-        // What the polynomial does between the two places is at most c4 d^2, which is below the noise if c4 is not: the
-        // other half of the doubled noise is that. The slope's noise is no more than four times the value's, since no
-        // power is above 4.
+        // What the polynomial does between the two places is at most c4 d^2, a 16th of the noise if c4 is 16 times as
+        // large: the other half of the doubled noise is that. The slope's noise is no more than four times the value's,
+        // since no power is above 4.
         noise_ = E(2) * noise;
         is_sound_ = p.coefficient[3] == W(0) && p.error[3] == E(0) && E(c4_) > E(16) * noise_;
     }

@@ -281,7 +281,7 @@ private:
         // which is all but zero there, would have it anywhere.
         E by_slope = quotient(E(4) * noise_at(t), abs(slope), step);
         const E beside = step * left_of_step(tolerance) + resolution(t);
-        if constexpr (is_believed<W>) {
+        if constexpr (is_believed<W>) {  // not enclosed: the error is what the slope makes of the noise
             const E error = min(by_slope, E(to.t - from.t)) + beside;
             return {t, error, from.sign, to.sign, abs(slope) * error + noise_at(t)};
         }
