@@ -15,14 +15,20 @@
 #include <glm/glm.hpp>
 
 using glm::vec2, glm::vec3;
-using hit_record = raio::hit_record<float>;
+
+struct hit_record {  // what is wanted of a hit: raio fills what there is
+    float t;
+    vec3 point, normal, error;
+    bool front_face;
+    int index;
+};
 
 // SplitMix64 (Steele, Lea and Flood 2014). Every pixel has its own: the picture is the same on any number of threads.
-class random_numbers {
-public:
-    explicit random_numbers(std::uint64_t seed) : state_(seed * 0xd1342543de82ef95) {}
+struct random_numbers {
+    std::uint64_t state;
+    explicit random_numbers(std::uint64_t seed) : state(seed * 0xd1342543de82ef95) {}
     float operator()() {  // in [0, 1)
-        std::uint64_t x = state_ += 0x9e3779b97f4a7c15;
+        std::uint64_t x = state += 0x9e3779b97f4a7c15;
         x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
         x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
         return float((x ^ (x >> 31)) >> 40) * 0x1p-24f;
@@ -35,15 +41,10 @@ public:
         const vec2 p = in_unit_disc();
         return vec3(p * (2 * std::sqrt(std::max(0.0f, 1 - dot(p, p)))), 1 - 2 * dot(p, p));
     }
-
-private:
-    std::uint64_t state_;
 };
 
 // Materials say where a path goes on that arrives in direction `in`, a unit vector, and with what share of the light.
-struct scattered {
-    vec3 direction, share;
-};
+using scattered = std::pair<vec3, vec3>;
 struct lambertian {
     vec3 albedo;
     scattered scatter(const vec3&, const hit_record& rec, random_numbers& random) const {
@@ -73,7 +74,6 @@ using material = std::variant<lambertian, metal, dielectric>;
 struct scene {
     std::vector<raio::sphere<float>> spheres;
     std::vector<material> materials;  // one for each sphere
-
     scene() {
         random_numbers random(1);
         add({0, -1000, 0}, 1000, lambertian{vec3(0.5f)});
@@ -105,7 +105,7 @@ vec3 light(const scene& world, const auto& tree, raio::ray<float> ray, random_nu
         const auto scatter = [&](const auto& of) { return of.scatter(in, rec, random); };
         const auto [out, part] = std::visit(scatter, world.materials[rec.index]);
         share *= part;
-        ray = spawn_ray(rec, out);  // starts beside the surface, and so t_min is 0
+        ray = raio::spawn_ray(rec, out);  // starts beside the surface, and so t_min is 0
     }
     return vec3(0);
 }

@@ -53,6 +53,33 @@ TEST_CASE_TEMPLATE("spawn_ray: moves off a point at the origin that is exact", T
     CHECK(spawn_ray(rec, vec3<T>(0, -1, 0)).origin.y < T(0));
 }
 
+TEST_CASE_TEMPLATE("spawn_ray: leaves from any record that knows point, normal and error", T, RAIO_NUMBERS) {
+    struct own_vector {
+        T x, y, z;
+        own_vector() = default;
+        own_vector(const vec3<T>& v) : x(v.x), y(v.y), z(v.z) {}
+        operator vec3<T>() const { return {x, y, z}; }
+    };
+    struct own_record {
+        T t;
+        own_vector point, normal, error;
+    };
+    const sphere<T> ball{{0, 0, -3}, 1};
+    const ray<T> ray{{0, T(0.1), 0}, {0, 0, -1}};
+    hit_record<T> all;
+    own_record own;
+    REQUIRE(ball.hit(ray, T(0), infinity<T>, all));
+    REQUIRE(ball.hit(ray, T(0), infinity<T>, own));
+    CHECK(spawn_ray(own, {1, 2, 3}).origin == spawn_ray(all, {1, 2, 3}).origin);
+    CHECK(spawn_ray(own, {1, 2, -3}).origin == spawn_ray(all, {1, 2, -3}).origin);
+    struct without_error {
+        T t;
+        vec3<T> point, normal;
+    };
+    constexpr bool is_refused = !requires(const without_error& rec) { spawn_ray(rec, vec3<T>()); };
+    CHECK(is_refused);
+}
+
 TEST_CASE_TEMPLATE("spawn_ray: a layer 4e-5 behind another is not skipped", T, RAIO_NUMBERS) {
     const disc<T> front{{0, 0, 0}, {0, 0, 1}, 1}, behind{{0, 0, T(-4e-5)}, {0, 0, 1}, 1};
     hit_record<T> rec{}, next{};

@@ -185,17 +185,20 @@ RAIO_FN constexpr void assign(Record& to, const hit_record<T>& from) {
 /// A ray that leaves the surface at the recorded point and never meets that point again: its origin is moved to the
 /// side that `direction` goes to, along the normal, by just the error of the point (Pharr, Jakob and Humphreys, PBR 4th
 /// ed., 6.8.6).
-template <real T>
-RAIO_FN constexpr ray<T> spawn_ray(const hit_record<T>& rec, const vec3<T>& direction) {
-    const T side = copysign(T(1), dot(rec.normal, direction));
-    vec3<T> n = rec.normal * side;
-    const T distance = dot(abs(n), rec.error);
+/// \param rec  any with a point, a normal and an error, of the shape's numbers
+template <record Record, real T = std::remove_cvref_t<decltype(Record::t)>>
+RAIO_FN constexpr ray<T> spawn_ray(const Record& rec, const vec3<T>& direction) requires(
+    has_point<Record>&& has_normal<Record>&& has_error<Record>) {
+    const vec3<T> point(rec.point), normal(rec.normal), error(rec.error);
+    const T side = copysign(T(1), dot(normal, direction));
+    vec3<T> n = normal * side;
+    const T distance = dot(abs(n), error);
     // A coordinate along which the normal has all but no part stays: moved to the next number, it would take the origin
     // further along a curved surface than the error off it.
     const auto moved = [&](T p, T n_i) {
         return select(n_i * n_i < T(unit_roundoff<T> / 4), p, outward(p + n_i * distance, n_i));
     };
-    return {{moved(rec.point.x, n.x), moved(rec.point.y, n.y), moved(rec.point.z, n.z)}, direction};
+    return {{moved(point.x, n.x), moved(point.y, n.y), moved(point.z, n.z)}, direction};
 }
 
 }  // namespace raio::inline RAIO_ABI
