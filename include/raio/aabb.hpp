@@ -86,16 +86,21 @@ RAIO_FN constexpr T outward(const T& x, const T& towards) {
     return x + copysign(abs(x) * T(std::numeric_limits<S>::epsilon()) + T(std::numeric_limits<S>::min()), towards);
 }
 
+/// How much room `padded` leaves for what points are off by before they are rounded to T, in roundings of the largest
+/// coordinate. Those of floats are found in double: a 32nd is enough from a million sizes away. Those of doubles are
+/// found in double as well.
+template <real T>
+inline constexpr double padding = unit_roundoff<T> <= unit_roundoff<working_t<T>> ? 0x1p10 : 0x1p-5;
+
 /// The box with every side moved outwards by an ulp or two, so that a point that was rounded onto it stays inside; and
-/// by a 64th of what is an ulp of its largest coordinate, since a side at 0 has no ulp of its own to speak of. Points
-/// are found in a precision of at least 2^29 times as many steps: that is enough from a million sizes away.
+/// by the `padding`, which is of the largest coordinate: a side at 0 has no ulp of its own to speak of.
 template <real T>
 RAIO_FN constexpr aabb<T> padded(const aabb<T>& box) {
     const auto largest = [](const vec3<T>& v) {
         const auto size = [](const T& x) { return select(is_finite(x), abs(x), T(0)); };
         return max(max(size(v.x), size(v.y)), size(v.z));
     };
-    const T up(1), down(-1), blur = max(largest(box.min), largest(box.max)) * T(0x1p-5 * unit_roundoff<T>);
+    const T up(1), down(-1), blur = max(largest(box.min), largest(box.max)) * T(padding<T> * unit_roundoff<T>);
     return {vec3<T>(outward(box.min.x, down), outward(box.min.y, down), outward(box.min.z, down)) - vec3<T>(blur),
             vec3<T>(outward(box.max.x, up), outward(box.max.y, up), outward(box.max.z, up)) + vec3<T>(blur)};
 }

@@ -145,18 +145,11 @@ public:
     RAIO_FN constexpr void keep_in([[maybe_unused]] Bounds bounds) {
         if constexpr (is_believed<W> || !(has_point<Record> || has_error<Record> || has_uv<Record>)) return;
         const auto& [origin, direction] = unmapped(ray_);
-        mask_t<T> unknown(W(0) == W(0));
-        // Where T has no fewer digits than t was found with, any point may lie some places beyond. Bounds of what is
-        // mapped have room for that.
-        constexpr bool any_may = detail::lacks_digits<T, working_t<T>>;
-        if constexpr (is_mapped || !any_may) {
-            // `padded` has room for the rounding of the point to T, and for a 128th more.
-            const T room = norm1(rec_.point) * T((any_may ? 32 : 0x1p-7) * unit_roundoff<T>);
-            const T off =
-                norm1(vec3<T>(direction)) * T(crossing_.error) + norm1(vec3<T>(origin)) * T(8 * unit_roundoff<W>);
-            unknown = !(off <= room);
-            if (none(unknown)) return;
-        }
+        const T room =
+            norm1(rec_.point) * T(padding<T> / 4 * unit_roundoff<T>);  // which is at most what `padded` leaves
+        const T off = norm1(vec3<T>(direction)) * T(crossing_.error) + norm1(vec3<T>(origin)) * T(8 * unit_roundoff<W>);
+        const mask_t<T> unknown = !(off <= room);
+        if (none(unknown)) return;
         if constexpr (is_mapped) {
             const vec3<T> kept = nearest_in(bounds(), own_point_);
             if (kept == own_point_) return;
