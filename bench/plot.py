@@ -13,8 +13,8 @@ sys.dont_write_bytecode = True  # no folder of compiled modules among the source
 import tables
 
 LEFT, BAR, GAP, WIDTH = 250, 14, 14, 760
-COLORS = {"hit": "#b5453c", "occluded": "#dd8f6e", "quick_hit": "#3d7a8a", "quick_occluded": "#8fb9c2",
-          "hit_in_packs": "#7d2f55", "occluded_in_packs": "#b07a98"}
+COLORS = {"hit": "#b5453c", "record_hit": "#c9756d", "occluded": "#dd8f6e", "quick_hit": "#3d7a8a",
+          "quick_occluded": "#8fb9c2", "hit_in_packs": "#7d2f55", "occluded_in_packs": "#b07a98"}
 PEER = "#9aa5b1"
 
 

@@ -97,6 +97,19 @@ struct hit {
     }
 };
 
+/// The same, and of the hit what textbooks find.
+template <class Shape>
+struct record_hit {
+    static constexpr const char* name = "record_hit";
+    using T = raio::number_t<Shape>;
+    using result = peers::record<T>;
+    Shape shape;
+
+    bool operator()(const raio::ray<T>& ray, T t_min, T t_max, result& rec) const {
+        return shape.hit(ray, t_min, t_max, rec);
+    }
+};
+
 template <class Shape>
 struct occluded {
     static constexpr const char* name = "occluded";
@@ -112,7 +125,7 @@ struct occluded {
     }
 };
 
-/// The same formula, believed, and of the hit what textbooks find.
+/// The shape's formula, believed, and the same record.
 template <class Shape>
 struct quick_hit {
     static constexpr const char* name = "quick_hit";
@@ -232,8 +245,8 @@ inline constexpr const char* number_name = "float";
 template <>
 inline constexpr const char* number_name<double> = "double";
 
-/// Registers SHAPE/CALL/NUMBER/PERCENT for the shape's own two calls, for the same of the quick shape, and in packs if
-/// there is a shape of packs, and for each of the peers, at 0, 50 and 100 % hits.
+/// Registers SHAPE/CALL/NUMBER/PERCENT for the shape's own two calls, for `hit` into a textbook's record, for the same
+/// of the quick shape, and in packs if there is a shape of packs, and for each of the peers, at 0, 50 and 100 % hits.
 template <class Shape, class... Peers, class MakeShape>
 void add(const std::string& shape_name, MakeShape make_shape) {
     for (const std::size_t hit_percent : {0u, 50u, 100u}) {
@@ -247,6 +260,7 @@ void add(const std::string& shape_name, MakeShape make_shape) {
             add_as(Contender::name, measure<Contender, Shape>);
         };
         add_one(std::type_identity<hit<Shape>>{});
+        add_one(std::type_identity<record_hit<Shape>>{});
         add_one(std::type_identity<occluded<Shape>>{});
         if constexpr (raio::detail::has_plain_formula<Shape>) {
             add_one(std::type_identity<quick_hit<Shape>>{});

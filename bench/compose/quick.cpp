@@ -81,7 +81,7 @@ void add(const char* name) {
 
 template <class T>
 void add_all() {
-    add<T, raio::sphere<T>>("hit");
+    add<T, raio::sphere<T>>("record_hit");
     add<T, raio::quick<raio::sphere<T>>>("quick_hit");
     add<T, peers::one_weekend_sphere<T>>("one_weekend");
 }
