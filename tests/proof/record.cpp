@@ -91,4 +91,18 @@ TEST_CASE("record: a hit fills what a record has, through every composition") {
     CHECK(met > 2000);
 }
 
+TEST_CASE("record_point: a ray that leaves a ground of doubles needs no closer look") {
+    const sphere<double> ground{{0, -1000, 0}, 1000};
+    random_numbers random(77);
+    for (int i = 0; i < 1000; ++i) {
+        const vec3<double> target(random.uniform(-5, 5), 0, random.uniform(-5, 5)),
+            eye = target + vec3<double>(1, 2, 3);
+        hit_record<double> rec;
+        REQUIRE(ground.hit(ray<double>{eye, target - eye}, 0.0, infinity<double>, rec));
+        const ray<double> leaves = spawn_ray(rec, random.direction());
+        const auto found = ground.crossings(line_in<strict_double>(leaves));
+        REQUIRE((detail::is_known<double>(found.near) && detail::is_known<double>(found.far)));
+    }
+}
+
 }  // namespace raio::test

@@ -101,30 +101,23 @@ struct recorded_crossing {
     oracle t, error;
 };
 
-/// All that can be recorded along the line. A double's t is that of the first precision up to the first crossing that
-/// is not known, and then that of double_double.
+/// All that can be recorded along the line.
 template <class Shape, class R>
 std::vector<recorded_crossing> recorded_crossings(const Shape& shape, const ray<R>& ray) {
     using T = number_t<Shape>;
     using namespace detail;
     std::vector<recorded_crossing> all;
-    std::size_t known = 0;
-    const auto add = [&](const auto& found, bool only_known) {
-        std::size_t nth = 0;
-        for (const auto& c : in_order(found)) {
-            if (only_known ? !is_known<T>(c) : nth++ < known) {
-                if (only_known) return;
-                continue;
-            }
-            known += only_known ? 1 : 0;
-            if (c.exists) all.push_back({exactly(c.t), exactly(c.error)});
-        }
+    const auto exact = [&] { return shape.crossings(line_in<double_double>(ray)); };
+    const auto add = [&](const auto& c) {
+        if (c.exists) all.push_back({exactly(c.t), exactly(c.error)});
+        return false;
     };
     if constexpr (keeps_all_digits<T>) {
-        const auto quick = shape.crossings(line_in<working_t<T>>(ray));
-        if (are_all(quick)) add(quick, true);
+        visit_recorded<T>(shape.crossings(line_in<working_t<T>>(ray)), exact, add);
+    } else {
+        const auto found = exact();
+        for (const auto& c : in_order(found)) add(c);
     }
-    add(shape.crossings(line_in<double_double>(ray)), false);
     return all;
 }
 

@@ -124,8 +124,11 @@ public:
         const T least(least_normal<T>), most(std::numeric_limits<scalar_t<T>>::max());
         const T of_t = min(max(T(crossing_.error), detail::least_recorded_error(t())) + least, most);
         // A ray that leaves at the angle of the normal's own rounding must not meet a curved surface again, and every
-        // crossing of a point that is off by this much has to be certain in double_double.
-        const T floor = bend * T(4 * in_t * in_t) + detail::least_apart(bend + reach) + least;
+        // crossing of a point that is off by this much has to be certain in double_double. Of a point of doubles it
+        // should be certain sooner, also on a surface that is far larger than the point's coordinates, as a ground is:
+        // on a sphere that takes 8 roundings of its radius.
+        constexpr double of_bend = detail::lacks_digits<T, working_t<T>> ? 16 * in_t : 4 * in_t * in_t;
+        const T floor = bend * T(of_bend) + detail::least_apart(bend + reach) + least;
         using R = std::remove_cvref_t<decltype(origin.x)>;
         vec3<T> error = vec3<T>(abs(direction) * R(of_t)) + vec3<T>(abs(origin) * R(in_w));
         error += abs(rec_.point) * T(in_t + in_w);

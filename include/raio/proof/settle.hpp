@@ -18,8 +18,8 @@
 ///
 /// Of float, t is the exact one, correctly rounded: the last bit may be in doubt as well. Of double, t is what the
 /// formula finds in strict_double, as long as it is known which crossings there are and on which side of the origin
-/// they lie. The first that is not known, and those behind it, are what double_double finds. Nothing of that depends on
-/// the window, or on what is asked, so that t does not either.
+/// they lie: of a crossing that is not known so well, and of those behind one that may not exist, t is what
+/// double_double finds. Nothing of that depends on the window, or on what is asked, so that t does not either.
 
 namespace raio::inline RAIO_ABI {
 
@@ -49,31 +49,31 @@ RAIO_FN constexpr bool are_all(const Found&) {
     return true;
 }
 
-/// Calls `visit` with the crossings of one number each, in order, until it answers true: the quick ones as long as they
-/// are known, and then the exact ones.
+/// Calls `visit` with the crossings of one number each, in order, until it answers true: the quick ones that are known,
+/// and the exact ones in the place of the others.
 /// \param exact  answers with them, to be asked only then
 template <real T, class Quick, class Exact, class Visit>
 RAIO_FN constexpr bool visit_recorded(const Quick& quick, Exact exact, Visit visit) {
     const auto& first = in_order(quick);
-    auto open = first.begin();  // the first that is not known
-    if (are_all(quick)) {
-        for (; open != first.end() && is_known<T>(*open); ++open) {
-            if (visit(*open)) return true;
-        }
-        if (open == first.end()) return false;
+    const auto size = first.end() - first.begin();
+    bool same = are_all(quick);  // Is what stands in one place in both lists the same crossing?
+    std::ptrdiff_t i = 0;
+    for (; same && i < size && is_known<T>(first.begin()[i]); ++i) {
+        if (visit(first.begin()[i])) return true;
     }
+    if (same && i == size) return false;
     const auto found_closer = exact();
     const auto& closer = in_order(found_closer);
-    auto known = open - first.begin();
-    auto count = closer.end() - closer.begin();
-    bool found = false;
-    for (auto c = closer.begin() + (known < count ? known : count); c != closer.end(); ++c) {
-        if (visit(*c)) return true;
-        found = found || c->exists;
-    }
-    // If a quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the range.
-    for (; !found && are_all(quick) && open != first.end() && open->certain; ++open) {
-        if (visit(*open)) return true;
+    const auto count = closer.end() - closer.begin();
+    for (; i < count || (same && i < size); ++i) {
+        const bool exists = i < count && closer.begin()[i].exists;
+        same = same && i < size && first.begin()[i].certain;
+        // If a quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the range.
+        if (same && (is_known<T>(first.begin()[i]) || (first.begin()[i].exists && !exists))) {
+            if (visit(first.begin()[i])) return true;
+        } else if (exists && visit(closer.begin()[i])) {
+            return true;
+        }
     }
     return false;
 }
@@ -233,11 +233,13 @@ RAIO_RARELY RAIO_FN constexpr interval<T> inside_closer(const Shape& shape, cons
     const auto exact = every_end(shape, line_in<exact_t<T>>(ray));
     if constexpr (keeps_all_digits<T>) {  // the same that `visit_recorded` finds
         const auto quick = every_end(shape, line_in<working_t<T>>(ray));
-        const bool known = is_known_end<Shape, T>(quick.near);
-        const bool found = exact.far.exists || (!known && exact.near.exists);
-        const auto& open = known ? quick.far : quick.near;
-        if (!found && open.exists && open.certain) return between_ends<T>(quick.near, quick.far);
-        if (known) return between_ends<T>(quick.near, exact.far);
+        const auto is_quick = [](const auto& end, const auto& closer) {
+            return is_known_end<Shape, T>(end) || (end.certain && end.exists && !closer.exists);
+        };
+        const bool near = is_quick(quick.near, exact.near), far = quick.near.certain && is_quick(quick.far, exact.far);
+        if (near && far) return between_ends<T>(quick.near, quick.far);
+        if (near) return between_ends<T>(quick.near, exact.far);
+        if (far) return between_ends<T>(exact.near, quick.far);
     }
     return between_ends<T>(exact.near, exact.far);
 }

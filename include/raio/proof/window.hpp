@@ -121,7 +121,11 @@ RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) 
         return {c, is_recorded<T>(c)};
     }
     if constexpr (keeps_all_digits<T>) {
-        const mask_t<W> known = is_known<T>(c);
+        mask_t<W> known = is_known<T>(c);
+        if (!all(known)) {  // what is beyond the window, beyond doubt, need not be known any better
+            const mask_t<T> beyond = some(T(c.t + c.error) < t_min, t_max < T(c.t - c.error));
+            known = some(known, every(c.certain, is_finite(c.t), mask_t<W>(beyond)));
+        }
         c.exists = every(c.exists, mask_t<W>(t_min <= T(c.t)), mask_t<W>(T(c.t) <= t_max));
         return {c, known};
     } else {
