@@ -171,7 +171,12 @@ struct of_the_book {
 template <class Sphere>
 struct of_raio {
     using T = raio::number_t<Sphere>;
-    using record = raio::hit_record<T>;
+    struct record {  // what the book's has, and what rays leave by
+        T t;
+        vec3<T> point, normal, error;
+        std::uint32_t index;
+        bool front_face;
+    };
     std::vector<material<T>> materials;
     raio::bvh<Sphere> world;
 
