@@ -99,17 +99,7 @@ RAIO_RARELY RAIO_FN constexpr mask_t<T> settle_closer(const Shape& shape, const 
             });
         return met;
     } else {
-        auto exact = first_in_window(crossings_for<X, question::where>(shape, ray, t_min, t_max), t_min, t_max);
-        if constexpr (works_first<T>) {
-            // If the quick crossing is certain all the same, the exact one has overflowed: numbers near the end of the
-            // range.
-            if (!exact.exists) {
-                auto [quick, known] = settled_in_window<question::whether>(
-                    crossings_for<W, question::where>(shape, ray, t_min, t_max), t_min, t_max);
-                if (known && quick.exists) return then(ray, quick);
-            }
-        }
-        return then(ray, exact);
+        return then(ray, first_in_window(crossings_for<X, question::where>(shape, ray, t_min, t_max), t_min, t_max));
     }
 }
 
