@@ -7,6 +7,7 @@
 #include <raio/math/frame.hpp>
 #include <raio/proof/line.hpp>
 #include <raio/proof/settle.hpp>
+#include <raio/surface_sample.hpp>
 
 /// \file
 /// What the shapes about an axis share: they stand between the two planes across its ends, and their faces are counted
@@ -96,6 +97,67 @@ RAIO_FN constexpr aabb<T> axial_bounds(const vec3<T>& base, const vec3<T>& top, 
     vec3<T> axis = top - base, rounding(norm1(axis) * T(unit_roundoff<T>));
     vec3<T> low = disc_reach(axis, radii.x) + rounding, high = disc_reach(axis, radii.y) + rounding;
     return unless_nan(padded(hull(aabb<T>{base - low, base + low}, aabb<T>{top - high, top + high})), radii.x, radii.y);
+}
+
+/// The point at this height, which is 0 at the base and 1 at the top, and at the distance rho from the axis.
+/// \param normal  away from the axis and along it, of any length
+template <real T>
+RAIO_FN constexpr surface_sample<T> point_about_axis(const vec3<T>& base, const vec3<T>& top, const T& turn,
+                                                     const T& height, const T& rho, const vec2<T>& normal) {
+    const vec3<T> axis = top - base;
+    const frame<T> f = frame_about(normalize(axis));
+    const T phi = T(2 * pi<T>) * turn;
+    const vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
+    return {base + axis * height + outwards * rho, normalize(outwards * normal.x + f.z * normal.y)};
+}
+
+/// The side of a frustum, to be sampled: as any other side about an axis it has two ends, their radii, an area, and
+/// the points that `u` chooses. There u.x turns about the axis, and u.y is the area between the base and the point.
+template <real T>
+struct frustum_side {
+    vec3<T> base, top;
+    vec2<T> radii;
+
+    RAIO_FN constexpr T area() const {
+        const vec3<T> axis = top - base;
+        const T widening = radii.y - radii.x;
+        return T(pi<T>) * (radii.x + radii.y) * sqrt(dot(axis, axis) + widening * widening);
+    }
+
+    /// The height, of the axis, below which there is that part of the area.
+    RAIO_FN constexpr T height(const T& part) const {
+        const T low2 = radii.x * radii.x, rho = sqrt(low2 + part * (radii.y * radii.y - low2));
+        // (rho - radii.x) / widening, and `part` where the radii are equal.
+        return min(T(1), part * (radii.x + radii.y) / (rho + radii.x));
+    }
+
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        const T widening = radii.y - radii.x, h = height(u.y);
+        return point_about_axis(base, top, u.x, h, radii.x + widening * h, {length(top - base), -widening});
+    }
+};
+
+/// The area of a side, with the caps if it is closed.
+template <bool Closed, class Side>
+RAIO_FN constexpr auto axial_area(const Side& side) {
+    using T = decltype(side.area());
+    const vec2<T>& r = side.radii;
+    return Closed ? side.area() + T(pi<T>) * (r.x * r.x + r.y * r.y) : side.area();
+}
+
+/// The point that `u` chooses of it: with caps, u.x first chooses among the side, the base and the top, and what is
+/// left of it is the angle.
+template <bool Closed, class Side, real T>
+RAIO_FN constexpr surface_sample<T> axial_sample(const Side& side, const vec2<T>& u) {
+    if constexpr (!Closed) return side.sample(u);
+    const vec2<T>& r = side.radii;
+    const T of_side = side.area(), of_base = T(pi<T>) * r.x * r.x, of_top = T(pi<T>) * r.y * r.y;
+    T left = u.x * (of_side + of_base + of_top);
+    if (left < of_side) return side.sample({left / of_side, u.y});
+    left -= of_side;
+    const bool on_top = left >= of_base;
+    const T turn = on_top ? quotient(left - of_base, of_top, T(0)) : left / of_base, end(on_top ? 1 : 0);
+    return point_about_axis(side.base, side.top, turn, end, sqrt(u.y) * (on_top ? r.y : r.x), {T(0), end + end - T(1)});
 }
 
 }  // namespace raio::inline RAIO_ABI::detail

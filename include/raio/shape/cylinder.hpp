@@ -85,38 +85,13 @@ struct cylinder {
 
     RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, vec2<T>(radius)); }
 
-    RAIO_FN constexpr T area() const {
-        const T height = length(top - base);
-        return T(2 * pi<T>) * radius * (Closed ? height + radius : height);
-    }
+    RAIO_FN constexpr T area() const { return detail::axial_area<Closed>(side()); }
 
-    /// Unrolled the tube is a rectangle: `u` is its uv.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(!Closed) {
-        vec3<T> axis = top - base;
-        const frame<T> f = frame_about(normalize(axis));
-        const T phi = T(2 * pi<T>) * u.x;
-        vec3<T> normal = f.x * cos(phi) + f.y * sin(phi);
-        return {base + axis * u.y + normal * radius, normal};
-    }
-
-    /// The side and the two caps have areas like twice the height, the radius and the radius: u.x chooses among them,
-    /// and what is left of it is the angle.
+    /// Unrolled the tube is a rectangle: `u` is its uv. If it is closed, u.x first chooses among the side, the base and
+    /// the top, and what is left of it is the angle.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const
-        requires(Closed&& std::same_as<mask_t<T>, bool>) {
-        vec3<T> axis = top - base;
-        const T height = length(axis), side = T(2) * height;
-        const frame<T> f = frame_about(axis / height);
-        const auto at = [&](T turn) { return f.x * cos(T(2 * pi<T>) * turn) + f.y * sin(T(2 * pi<T>) * turn); };
-        T left = u.x * (side + T(2) * radius);
-        if (left < side) {
-            vec3<T> normal = at(left / side);
-            return {base + axis * u.y + normal * radius, normal};
-        }
-        left -= side;
-        const bool on_top = left >= radius;
-        if (on_top) left -= radius;
-        vec3<T> from_axis = at(left / radius) * (radius * sqrt(u.y));
-        return on_top ? surface_sample<T>{top + from_axis, f.z} : surface_sample<T>{base + from_axis, -f.z};
+        requires(!Closed || std::same_as<mask_t<T>, bool>) {
+        return detail::axial_sample<Closed>(side(), u);
     }
 
     /// Where the ray's line enters and where it leaves. Numbers carry bounds of their errors (proof/line.hpp), and
@@ -138,6 +113,9 @@ struct cylinder {
         detail::axial_surface(at, base, top, vec2<T>(radius), radius, outwards);
         at.keep_in([this] { return bounds(); });
     }
+
+private:
+    RAIO_FN constexpr detail::frustum_side<T> side() const { return {base, top, vec2<T>(radius)}; }
 };
 
 /// The side alone.

@@ -71,33 +71,6 @@ RAIO_FN constexpr vec3<W> frustum_gradient(const Point& at, const vec3<W>& axis,
     return turned_at_apex(at, axis, widening, from_axis, outward);
 }
 
-/// The area of the side, and the point of it that `u` chooses: u.x turns about the axis, u.y is the area between the
-/// base and the point.
-template <real T>
-RAIO_FN constexpr T frustum_side(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii) {
-    const vec3<T> axis = top - base;
-    const T widening = radii.y - radii.x;
-    return T(pi<T>) * (radii.x + radii.y) * sqrt(dot(axis, axis) + widening * widening);
-}
-/// The height, of the axis, below which there is that part of the side.
-template <real T>
-RAIO_FN constexpr T height_on_frustum(const vec2<T>& radii, const T& part) {
-    const T low2 = radii.x * radii.x, rho = sqrt(low2 + part * (radii.y * radii.y - low2));
-    // (rho - radii.x) / widening, and `part` where the radii are equal.
-    return min(T(1), part * (radii.x + radii.y) / (rho + radii.x));
-}
-template <real T>
-RAIO_FN constexpr surface_sample<T> sample_frustum_side(const vec3<T>& base, const vec3<T>& top, const vec2<T>& radii,
-                                                        const vec2<T>& u) {
-    vec3<T> axis = top - base;
-    const T size = length(axis), widening = radii.y - radii.x, height = height_on_frustum(radii, u.y);
-    const T rho = radii.x + widening * height;
-    const frame<T> f = frame_about(axis / size);
-    const T phi = T(2 * pi<T>) * u.x;
-    vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
-    return {base + axis * height + outwards * rho, normalize(outwards * size - f.z * widening)};
-}
-
 }  // namespace detail
 
 /// The points between two discs across one axis: a solid; or, if it is not `Closed`, only the side, rims included,
@@ -122,30 +95,13 @@ struct frustum {
 
     RAIO_FN constexpr aabb<T> bounds() const { return detail::axial_bounds(base, top, radii()); }
 
-    RAIO_FN constexpr T area() const {
-        const T side = detail::frustum_side(base, top, radii());
-        return Closed ? side + T(pi<T>) * (base_radius * base_radius + top_radius * top_radius) : side;
-    }
+    RAIO_FN constexpr T area() const { return detail::axial_area<Closed>(side()); }
 
-    /// u.x turns about the axis, u.y is the area between the base and the point.
-    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(!Closed) {
-        return detail::sample_frustum_side(base, top, radii(), u);
-    }
-
-    /// u.x chooses among the side, the base and the top, and what is left of it is the angle.
+    /// u.x turns about the axis, u.y is the area between the base and the point. If it is closed, u.x first chooses
+    /// among the side, the base and the top, and what is left of it is the angle.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const
-        requires(Closed&& std::same_as<mask_t<T>, bool>) {
-        const T side = detail::frustum_side(base, top, radii()), low = T(pi<T>) * base_radius * base_radius,
-                high = T(pi<T>) * top_radius * top_radius;
-        T left = u.x * (side + low + high);
-        if (left < side) return detail::sample_frustum_side(base, top, radii(), {left / side, u.y});
-        left -= side;
-        const bool on_top = left >= low;
-        const frame<T> f = frame_about(normalize(top - base));
-        const T phi = T(2 * pi<T>) * (on_top ? quotient(left - low, high, T(0)) : left / low), rho = sqrt(u.y);
-        vec3<T> across = f.x * cos(phi) + f.y * sin(phi);
-        if (on_top) return {top + across * (rho * top_radius), f.z};
-        return {base + across * (rho * base_radius), -f.z};
+        requires(!Closed || std::same_as<mask_t<T>, bool>) {
+        return detail::axial_sample<Closed>(side(), u);
     }
 
     template <class Line>
@@ -174,6 +130,7 @@ struct frustum {
     }
 
 private:
+    RAIO_FN constexpr detail::frustum_side<T> side() const { return {base, top, radii()}; }
     RAIO_FN constexpr vec2<T> radii() const { return {base_radius, top_radius}; }
 };
 

@@ -6,7 +6,6 @@
 #include <raio/formula/quadric.hpp>
 #include <raio/math/conic.hpp>
 #include <raio/proof/crossing_list.hpp>
-#include <raio/shape/disc.hpp>
 
 /// \file
 /// The hyperboloid of revolution of one sheet, with caps, a solid, and without; and what it has in common with that of
@@ -74,53 +73,31 @@ RAIO_FN constexpr void hyperboloid_surface(Point& at, const vec3<T>& base, const
     at.keep_in([&] { return axial_bounds(base, top, vec2<T>(radius)); });
 }
 
-/// The side for its area: rho^2 = c0 + c2 h^2 from `least` to 1 of |2 h|.
-struct side_profile {
+/// The side, to be sampled: rho^2 = c0 + c2 h^2 from `least` to 1 of |2 h|.
+template <real T>
+struct hyperboloid_side {
+    vec3<T> base, top;
+    vec2<T> radii;
     double c0, c2, least;
 
-    template <class Side>
-    RAIO_FN side_profile(const Side& side, double from) : c0(side.c0.value), c2(side.c2.value), least(from) {}
+    RAIO_FN T area() const { return T(4 * pi<double> * curve().area(least, 1)); }
+
+    RAIO_FN surface_sample<T> sample(const vec2<T>& u) const {
+        const double from_middle = 2 * double(u.y) - 1;
+        const double y = copysign(curve().place(least, 1, abs(from_middle)), from_middle);
+        const T rho = T(std::sqrt(std::max(c0 + c2 * y * y / 4, 0.0)));
+        return point_about_axis(base, top, u.x, T(0.5 + 0.5 * y), rho, {rho, -T(c2 * y / 2) / length(top - base)});
+    }
+
+private:
+    /// The area is 4 pi times that below this curve: with y = 2 h, rho^2 = c0 + a y^2 and half the axis H, its element
+    /// is 2 pi rho sqrt(H^2 + rho'^2) dy, and rho rho' = a y.
+    RAIO_FN conic curve() const {
+        const vec3<double> axis = vec3<double>(top) - vec3<double>(base);
+        const double half2 = dot(axis, axis) / 4, a = c2 / 4;
+        return {c0 * half2, a * (half2 + a)};
+    }
 };
-
-/// The area of the side is 4 pi times that below this curve: with y = 2 h, rho^2 = c0 + a y^2 and half the axis H, its
-/// element is 2 pi rho sqrt(H^2 + rho'^2) dy, and rho rho' = a y.
-template <std::floating_point T>
-RAIO_FN conic area_of_side(const vec3<T>& base, const vec3<T>& top, const side_profile& side) {
-    const vec3<double> axis = vec3<double>(top) - vec3<double>(base);
-    const double half2 = dot(axis, axis) / 4, a = side.c2 / 4;
-    return {side.c0 * half2, a * (half2 + a)};
-}
-template <std::floating_point T>
-RAIO_FN T hyperboloid_area(const vec3<T>& base, const vec3<T>& top, const side_profile& side) {
-    return T(4 * pi<double> * area_of_side(base, top, side).area(side.least, 1));
-}
-
-/// The point of the side that `u` chooses: u.x turns about the axis, u.y is the area between the base and the point.
-template <std::floating_point T>
-RAIO_FN surface_sample<T> sample_hyperboloid(const vec3<T>& base, const vec3<T>& top, const side_profile& side,
-                                             const vec2<T>& u) {
-    const double from_middle = 2 * double(u.y) - 1;
-    const double y = copysign(area_of_side(base, top, side).place(side.least, 1, abs(from_middle)), from_middle);
-    const T rho = T(std::sqrt(std::max(side.c0 + side.c2 * y * y / 4, 0.0))), phi = T(2 * pi<T>) * u.x;
-    const vec3<T> axis = top - base;
-    const T size = length(axis), along = T(side.c2 * y / 2) / size;
-    const frame<T> f = frame_about(axis / size);
-    vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
-    return {base + axis * T(0.5 + 0.5 * y) + outwards * rho, normalize(outwards * rho - f.z * along)};
-}
-
-/// The same with caps of this radius: u.x chooses among the side, the base and the top, and what is left of it is the
-/// angle.
-template <std::floating_point T>
-RAIO_FN surface_sample<T> sample_capped_hyperboloid(const vec3<T>& base, const vec3<T>& top, T radius,
-                                                    const side_profile& side, const vec2<T>& u) {
-    const T of_side = hyperboloid_area(base, top, side), of_cap = T(pi<T>) * radius * radius;
-    const T left = u.x * (of_side + T(2) * of_cap);
-    if (left < of_side) return sample_hyperboloid(base, top, side, {left / of_side, u.y});
-    const T turn = (left - of_side) / of_cap;
-    if (turn < T(1)) return disc<T>{base, base - top, radius}.sample({turn, u.y});
-    return disc<T>{top, top - base, radius}.sample({turn - T(1), u.y});
-}
 
 }  // namespace detail
 
@@ -152,16 +129,12 @@ struct hyperboloid {
                           end_radius);
     }
 
-    RAIO_FN T area() const requires(std::floating_point<T>) {
-        const T side = largest_radius() > T(0) ? detail::hyperboloid_area(base, top, profile()) : T(0);
-        return Closed ? side + T(2 * pi<T>) * end_radius * end_radius : side;
-    }
+    RAIO_FN T area() const requires(std::floating_point<T>) { return detail::axial_area<Closed>(side()); }
 
-    /// u.x turns about the axis, u.y is the area between the base and the point. With caps, u.x chooses among the side,
-    /// the base and the top first, and what is left of it is the angle.
+    /// u.x turns about the axis, u.y is the area between the base and the point. With caps, u.x first chooses among the
+    /// side, the base and the top, and what is left of it is the angle.
     RAIO_FN surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
-        return Closed ? detail::sample_capped_hyperboloid(base, top, end_radius, profile(), u)
-                      : detail::sample_hyperboloid(base, top, profile(), u);
+        return detail::axial_sample<Closed>(side(), u);
     }
 
     template <class Line, class Wanted = every_crossing>
@@ -182,7 +155,11 @@ private:
     RAIO_FN constexpr T largest_radius() const {
         return select(every(waist_radius > T(0), end_radius > T(0)), max(waist_radius, end_radius), T(0));
     }
-    RAIO_FN detail::side_profile profile() const { return {detail::one_sheet<double>(waist_radius, end_radius), 0.0}; }
+    RAIO_FN detail::hyperboloid_side<T> side() const {
+        if (!(largest_radius() > T(0))) return {base, top, vec2<T>(end_radius), 0, 0, 0};
+        const auto side = detail::one_sheet<double>(waist_radius, end_radius);
+        return {base, top, vec2<T>(end_radius), side.c0.value, side.c2.value, 0.0};
+    }
 };
 
 /// The side alone.

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include <raio/concepts.hpp>
 #include <raio/formula/quadric.hpp>
-#include <raio/shape/disc.hpp>
 
 /// \file
 /// The paraboloid of revolution: with its cap it is a solid, without it a dish.
@@ -48,30 +48,28 @@ RAIO_FN constexpr aabb<T> paraboloid_bounds(const vec3<T>& vertex, const vec3<T>
     return unless_nan(padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)}), vertex, top, radius);
 }
 
-/// The area of the side.
+/// The side, to be sampled.
 template <real T>
-RAIO_FN constexpr T paraboloid_side(const vec3<T>& vertex, const vec3<T>& top, T radius) {
-    // pi radius / (6 axis^2) (q^3 - radius^3) with q^2 = radius^2 + 4 axis^2, divided by q - radius.
-    const vec3<T> axis = top - vertex;
-    const T r2 = radius * radius, q2 = r2 + T(4) * dot(axis, axis), q = sqrt(q2);
-    return T(2 * pi<T> / 3) * radius * (q2 + q * radius + r2) / (q + radius);
-}
+struct paraboloid_side {
+    vec3<T> base, top;
+    vec2<T> radii;
 
-/// The point of the side that `u` chooses: u.x turns about the axis, u.y is the area between the vertex and the point.
-template <std::floating_point T>
-RAIO_FN constexpr surface_sample<T> sample_paraboloid_side(const vec3<T>& vertex, const vec3<T>& top, T radius,
-                                                           const vec2<T>& u) {
-    // With k = 1 + 4 axis^2 / radius^2 the area below a height h is as (1 + (k - 1) h)^(3/2) - 1. Of the c whose cube
-    // is 1 + s, c - 1 is written as a quotient without a difference, and so is k^(3/2) - 1.
-    const vec3<T> axis = top - vertex;
-    const T size = length(axis), slender = T(2) * size / radius, k = T(1) + slender * slender, q = sqrt(k);
-    const T per_k = u.y * (k + q + T(1)) / (q + T(1)), c = std::cbrt(T(1) + per_k * slender * slender);
-    const T height = min(T(1), per_k * (c + T(1)) / (c * c + c + T(1))), rho = sqrt(height) * radius;
-    const frame<T> f = frame_about(axis / size);
-    const T phi = T(2 * pi<T>) * u.x;
-    vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
-    return {vertex + axis * height + outwards * rho, normalize(outwards * (slender * sqrt(height)) - f.z)};
-}
+    RAIO_FN constexpr T area() const {
+        // pi radius / (6 axis^2) (q^3 - radius^3) with q^2 = radius^2 + 4 axis^2, divided by q - radius.
+        const vec3<T> axis = top - base;
+        const T radius = radii.y, r2 = radius * radius, q2 = r2 + T(4) * dot(axis, axis), q = sqrt(q2);
+        return T(2 * pi<T> / 3) * radius * (q2 + q * radius + r2) / (q + radius);
+    }
+
+    RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
+        // With k = 1 + 4 axis^2 / radius^2 the area below a height h is as (1 + (k - 1) h)^(3/2) - 1. Of the c whose
+        // cube is 1 + s, c - 1 is written as a quotient without a difference, and so is k^(3/2) - 1.
+        const T slender = T(2) * length(top - base) / radii.y, k = T(1) + slender * slender, q = sqrt(k);
+        const T per_k = u.y * (k + q + T(1)) / (q + T(1)), c = std::cbrt(T(1) + per_k * slender * slender);
+        const T height = min(T(1), per_k * (c + T(1)) / (c * c + c + T(1))), root = sqrt(height);
+        return point_about_axis(base, top, u.x, height, root * radii.y, {slender * root, T(-1)});
+    }
+};
 
 }  // namespace detail
 
@@ -97,18 +95,12 @@ struct paraboloid {
 
     RAIO_FN constexpr aabb<T> bounds() const { return detail::paraboloid_bounds(vertex, top, radius); }
 
-    RAIO_FN constexpr T area() const {
-        const T side = detail::paraboloid_side(vertex, top, radius);
-        return Closed ? side + T(pi<T>) * radius * radius : side;
-    }
+    RAIO_FN constexpr T area() const { return detail::axial_area<Closed>(side()); }
 
-    /// u.x turns about the axis, u.y is the area between the vertex and the point. With its cap, u.x chooses between
-    /// the side and that first, and what is left of it is the angle.
+    /// u.x turns about the axis, u.y is the area between the vertex and the point. With its cap, u.x first chooses
+    /// between the side and that, and what is left of it is the angle.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
-        if constexpr (!Closed) return detail::sample_paraboloid_side(vertex, top, radius, u);
-        const T side = detail::paraboloid_side(vertex, top, radius), left = u.x * area();
-        if (left < side) return detail::sample_paraboloid_side(vertex, top, radius, {left / side, u.y});
-        return disc<T>{top, top - vertex, radius}.sample({(left - side) / (area() - side), u.y});
+        return detail::axial_sample<Closed>(side(), u);
     }
 
     template <class Line>
@@ -129,6 +121,9 @@ struct paraboloid {
                               [&](const vec3<W>& from_axis, const W&) { return from_axis - down; });
         at.keep_in([this] { return bounds(); });
     }
+
+private:
+    RAIO_FN constexpr detail::paraboloid_side<T> side() const { return {vertex, top, vec2<T>(T(0), radius)}; }
 };
 
 /// The side alone.

@@ -51,7 +51,8 @@ struct round_cone {
         if (left < parts.low) {
             rise = left / (T(2 * pi<T>) * base_radius * base_radius) - T(1);
         } else if (left < parts.low + parts.side) {
-            which = detail::height_on_frustum({base_radius, top_radius}, (left - parts.low) / parts.side);
+            which =
+                detail::frustum_side<T>{base, top, {base_radius, top_radius}}.height((left - parts.low) / parts.side);
             rise = -parts.sine;
         } else {
             which = T(1);

@@ -59,16 +59,12 @@ struct two_sheet_hyperboloid {
         return unless_nan(detail::axial_bounds(base, top, vec2<T>(end_radius)), gap);
     }
 
-    RAIO_FN T area() const requires(std::floating_point<T>) {
-        const T side = largest_radius() > T(0) ? detail::hyperboloid_area(base, top, profile()) : T(0);
-        return Closed ? side + T(2 * pi<T>) * end_radius * end_radius : side;
-    }
+    RAIO_FN T area() const requires(std::floating_point<T>) { return detail::axial_area<Closed>(side()); }
 
-    /// u.x turns about the axis, u.y is the area between the base and the point. With caps, u.x chooses among the side,
-    /// the base and the top first, and what is left of it is the angle.
+    /// u.x turns about the axis, u.y is the area between the base and the point. With caps, u.x first chooses among the
+    /// side, the base and the top, and what is left of it is the angle.
     RAIO_FN surface_sample<T> sample(const vec2<T>& u) const requires(std::floating_point<T>) {
-        return Closed ? detail::sample_capped_hyperboloid(base, top, end_radius, profile(), u)
-                      : detail::sample_hyperboloid(base, top, profile(), u);
+        return detail::axial_sample<Closed>(side(), u);
     }
 
     template <class Line, class Wanted = every_crossing>
@@ -88,7 +84,11 @@ struct two_sheet_hyperboloid {
 private:
     /// 0 if there is no hyperboloid.
     RAIO_FN constexpr T largest_radius() const { return select(every(gap > T(0), gap < T(1)), end_radius, T(0)); }
-    RAIO_FN detail::side_profile profile() const { return {detail::two_sheets<double>(gap, end_radius), double(gap)}; }
+    RAIO_FN detail::hyperboloid_side<T> side() const {
+        if (!(largest_radius() > T(0))) return {base, top, vec2<T>(end_radius), 0, 0, 0};
+        const auto side = detail::two_sheets<double>(gap, end_radius);
+        return {base, top, vec2<T>(end_radius), side.c0.value, side.c2.value, double(gap)};
+    }
 };
 
 /// Both sheets alone.
