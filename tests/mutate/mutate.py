@@ -40,7 +40,7 @@ SHAPES = {
     "formula/plane.hpp": ["shape/plane", "shape/disc"],
     "formula/edges.hpp": ["shape/triangle", "shape/parallelogram", "simd/shapes"],
     "formula/quadric.hpp": ["shape/cone", "shape/hyperboloid", "shape/two_sheet_hyperboloid", "shape/quadric"],
-    "formula/axis.hpp": ["shape/cylinder", "shape/frustum", "shape/capsule"],
+    "formula/axis.hpp": ["shape/cylinder", "shape/frustum", "shape/capsule", "shape/paraboloid", "shape/hyperboloid"],
     "proof/crossing_list.hpp": ["shape/torus"],
     "proof/polynomial_crossings.hpp": ["shape/algebraic", "shape/steiner"],
     "proof/line_part.hpp": ["shape/algebraic", "shape/steiner"],
