@@ -101,11 +101,11 @@ RAIO_FN hit_record<scalar_t<P>> in_lane(const hit_record<P>& rec, std::size_t la
 
 /// Calls `ask` with the plain shape and the plain ray of each lane that has its bit set, and with its number. Answers
 /// for which it was true.
-template <has_lanes P, class Packed, class R, class Ask>
-RAIO_FN mask_t<P> ask_lanes(std::uint32_t which, const Packed& packed, const ray<R>& ray, Ask ask) {
+template <has_lanes P, class Packed, class Ask>
+RAIO_FN mask_t<P> ask_lanes(std::uint32_t which, const Packed& packed, const ray<P>& ray, Ask ask) {
     P yes(0);
     for (std::size_t lane = 0; lane < P::lanes; ++lane) {
-        if ((which >> lane & 1) != 0 && ask(in_lane<P>(packed, lane), in_lane<R>(ray, lane), lane)) yes.set(lane, 1);
+        if ((which >> lane & 1) != 0 && ask(in_lane<P>(packed, lane), in_lane<P>(ray, lane), lane)) yes.set(lane, 1);
     }
     return yes > P(0);
 }
@@ -114,34 +114,24 @@ template <has_lanes P>
 inline constexpr std::uint32_t every_lane = ~std::uint32_t{0} >> (32 - P::lanes);
 
 /// `occluded` of the plain shapes in these lanes.
-template <has_lanes P, class Packed, class R>
-[[gnu::noinline]] RAIO_FN mask_t<P> any_hit_in_lanes(const Packed& packed, const ray<R>& ray, const P& t_min,
+template <has_lanes P, class Packed>
+[[gnu::noinline]] RAIO_FN mask_t<P> any_hit_in_lanes(const Packed& packed, const ray<P>& ray, const P& t_min,
                                                      const P& t_max, std::uint32_t which = every_lane<P>) {
     return ask_lanes<P>(which, packed, ray, [&](const auto& shape, const auto& own_ray, std::size_t lane) {
-        if constexpr (requires { shape.occluded(own_ray, t_min[lane], t_max[lane]); }) {
-            return shape.occluded(own_ray, t_min[lane], t_max[lane]);
-        } else {
-            return any_hit(shape, own_ray, t_min[lane], t_max[lane]);
-        }
+        return shape.occluded(own_ray, t_min[lane], t_max[lane]);
     });
 }
 
 /// `hit` of the plain shapes in these lanes.
-template <has_lanes P, class Packed, class R, record Record>
-[[gnu::noinline]] RAIO_FN mask_t<P> first_hit_in_lanes(const Packed& packed, const ray<R>& ray, const P& t_min,
+template <has_lanes P, class Packed, record Record>
+[[gnu::noinline]] RAIO_FN mask_t<P> first_hit_in_lanes(const Packed& packed, const ray<P>& ray, const P& t_min,
                                                        const P& t_max, Record& rec,
                                                        std::uint32_t which = every_lane<P>) {
     P front(0);
     const mask_t<P> met =
         ask_lanes<P>(which, packed, ray, [&](const auto& shape, const auto& own_ray, std::size_t lane) {
             hit_record<scalar_t<P>> own;
-            bool hit;
-            if constexpr (requires { shape.hit(own_ray, t_min[lane], t_max[lane], own); }) {
-                hit = shape.hit(own_ray, t_min[lane], t_max[lane], own);
-            } else {
-                hit = first_hit(shape, own_ray, t_min[lane], t_max[lane], own);
-            }
-            if (!hit) return false;
+            if (!shape.hit(own_ray, t_min[lane], t_max[lane], own)) return false;
             set_lane(rec, front, lane, own);
             return true;
         });
@@ -152,19 +142,11 @@ template <has_lanes P, class Packed, class R, record Record>
 }
 
 /// `spans` of the plain shapes, which are one interval each.
-template <class Packed, has_lanes R>
-RAIO_FN auto spans_in_lanes(const Packed& packed, const ray<R>& ray) {
-    using P = typename Packed::number;
+template <class Packed, has_lanes P>
+RAIO_FN auto spans_in_lanes(const Packed& packed, const ray<P>& ray) {
     interval<P> inside;
     for (std::size_t lane = 0; lane < P::lanes; ++lane) {
-        const auto shape = in_lane<P>(packed, lane);
-        const auto own_ray = in_lane<R>(ray, lane);
-        interval<scalar_t<P>> own;
-        if constexpr (requires { shape.spans(own_ray); }) {
-            own = shape.spans(own_ray);
-        } else {
-            own = inside_of(shape, own_ray);
-        }
+        const interval<scalar_t<P>> own = in_lane<P>(packed, lane).spans(in_lane<P>(ray, lane));
         inside.min.set(lane, own.min), inside.max.set(lane, own.max);
     }
     return inside;

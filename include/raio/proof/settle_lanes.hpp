@@ -190,9 +190,9 @@ RAIO_FN T within_numbers(const T& end) {
 }  // namespace detail
 
 /// `occluded` of every shape of packs.
-template <detail::has_lanes T, class Shape, real R>
-RAIO_FLATTEN RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max) {
-    if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
+template <detail::has_lanes T, class Shape>
+RAIO_FLATTEN RAIO_FN mask_t<T> any_hit(const Shape& shape, const ray<T>& ray, T t_min, T t_max) {
+    if constexpr (detail::sifts<Shape, T>) {
         t_min = detail::within_numbers(t_min), t_max = detail::within_numbers(t_max);
         const auto found =
             detail::sift(detail::first_crossings<detail::question::whether>(shape, ray, t_min, t_max), t_min, t_max);
@@ -243,12 +243,12 @@ RAIO_FN mask_t<T> record_known(const Shape& shape, const ray<T>& ray, const T& t
 
 /// `hit` of every shape of packs.
 /// \tparam Asked  `only_where` if there is a crossing beyond doubt in every lane
-template <detail::question Asked = detail::question::where, detail::has_lanes T, class Shape, real R, record Record>
-RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, T t_min, T t_max, Record& rec) {
+template <detail::question Asked = detail::question::where, detail::has_lanes T, class Shape, record Record>
+RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<T>& ray, T t_min, T t_max, Record& rec) {
     Record candidate;
     mask_t<T> met(false);
     std::uint32_t left = detail::every_lane<T>;  // who has not been answered
-    if constexpr (std::same_as<R, T> && detail::sifts<Shape, T>) {
+    if constexpr (detail::sifts<Shape, T>) {
         met = detail::record_known<Asked>(shape, ray, t_min, t_max, candidate, left);
         if (left == 0 && none(met)) return false;
     }
@@ -262,9 +262,9 @@ RAIO_FLATTEN RAIO_FN mask_t<T> first_hit(const Shape& shape, const ray<R>& ray, 
 }
 
 /// Where the lines of packs are inside a convex solid. (There is room for one span in each lane.)
-template <class Shape, detail::has_lanes R>
-requires requires(const Shape shape, const ray<R> ray) { shape.crossings(line_in<R>(ray)).near; }
-RAIO_FN auto inside_of(const Shape& shape, const ray<R>& ray) { return detail::spans_in_lanes(shape, ray); }
+template <class Shape, detail::has_lanes T>
+requires requires(const Shape shape, const ray<T> ray) { shape.crossings(line_in<T>(ray)).near; }
+RAIO_FN auto inside_of(const Shape& shape, const ray<T>& ray) { return detail::spans_in_lanes(shape, ray); }
 
 }  // namespace raio::inline RAIO_ABI
 

@@ -110,19 +110,19 @@ private:
     /// The same formula for precisions that have a closer look. Leaves of trees spend their time here, so the bound is
     /// derived by hand: of t the difference, the quotient and the product are rounded, which is less than 4 roundings
     /// of it, and so are the largest and the smallest of three.
-    template <class W, real R>
-    RAIO_FN constexpr chord<W> crossings_at_once(const ray<R>& ray) const {
+    template <class W>
+    RAIO_FN constexpr chord<W> crossings_at_once(const ray<T>& ray) const {
         using E = bound_t<W>;
         W all_ways(0);  // finite only if the way to every face is
-        const auto slab = [&all_ways](R origin, R direction, T low, T high) {
+        const auto slab = [&all_ways](T origin, T direction, T low, T high) {
             W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
             W way_to_low = difference_as<W>(low, origin), way_to_high = difference_as<W>(high, origin);
             all_ways = all_ways + way_to_low + way_to_high;
             W to_low = way_to_low * over_d, to_high = way_to_high * over_d;
             vec2<W> across(raio::min(to_low, to_high), raio::max(to_low, to_high));
-            const mask_t<W> along = some(direction == R(0), !is_finite(over_d));
+            const mask_t<W> along = some(direction == T(0), !is_finite(over_d));
             if (none(along)) return across;
-            const mask_t<W> within = every(R(low) <= origin, origin <= R(high));
+            const mask_t<W> within = every(low <= origin, origin <= high);
             return vec2<W>(select(along, select(within, -inf, inf), across.x),
                            select(along, select(within, inf, -inf), across.y));
         };
