@@ -62,7 +62,7 @@ TEST_CASE("crossing_list: roots are crossed as the signs beside them say, and ta
         crossing_list<double, 4> list;
         polynomial_root<double> root{};
         root.sign_before = s.before, root.sign_after = s.after;
-        list.append(5, 0.5, root);
+        list.append(at(5, 0.5), root);
         REQUIRE(list.count == s.count);
         CHECK((list.crossings[0].entering == s.entering && list.crossings[0].t == 5));
         if (s.count == 2) CHECK((list.crossings[1].entering != s.entering && list.crossings[1].error == 0.5));

@@ -31,6 +31,8 @@ struct polynomial_root {
     RAIO_FN constexpr bool is_simple() const { return sign_before * sign_after < 0; }
     /// Is the polynomial zero there without changing its sign?
     RAIO_FN constexpr bool is_touched() const { return sign_before * sign_after > 0; }
+    /// Does what is negative begin there, or is it touched from outside?
+    RAIO_FN constexpr bool is_entered() const { return sign_before > 0 || (sign_before == 0 && sign_after < 0); }
     /// The same root of -p.
     RAIO_FN constexpr polynomial_root operator-() const { return {t, error, -sign_before, -sign_after, height}; }
 };

@@ -156,6 +156,13 @@ RAIO_FN constexpr crossing<W> crossing_at(const verdict<mask_t<W>>& exists, cons
             .entering = entering};
 }
 
+/// A crossing at this place, which is there beyond doubt.
+template <class W>
+RAIO_FN constexpr crossing<W> crossing_at(const bounded_number<W>& t, const mask_t<W>& entering = {}) {
+    const mask_t<W> yes = W(0) == W(0);
+    return {.exists = yes, .certain = yes, .t = t.value, .error = detail::rounded_up<W>(t.error), .entering = entering};
+}
+
 /// No crossing, beyond doubt.
 template <class W>
 RAIO_FN constexpr crossing<W> no_crossing() {

@@ -12,19 +12,6 @@
 
 namespace raio::inline RAIO_ABI {
 
-/// The chords of one line through parts of a solid, in the order in which it enters them.
-template <class W, std::size_t N>
-struct chord_list {
-    std::array<chord<W>, N> chords{};  ///< what is beyond `count` has no value
-    std::size_t count = 0;
-
-    RAIO_FN constexpr void insert(const chord<W>& c) {
-        std::size_t i = count++;
-        for (; i > 0 && c.near.t < chords[i - 1].near.t; --i) chords[i] = chords[i - 1];
-        chords[i] = c;
-    }
-};
-
 /// The crossings of one line with a surface, in order. All that are listed exist in the precision of W.
 template <class W, std::size_t N>
 struct crossing_list {
@@ -41,13 +28,6 @@ struct crossing_list {
     RAIO_FN constexpr const crossing<W>* begin() const { return crossings.data(); }
     RAIO_FN constexpr const crossing<W>* end() const { return crossings.data() + count; }
 
-    RAIO_FN constexpr void append(const W& t, const bound_t<W>& error, bool entering) {
-        if (count == N) return;
-        // Where it stays: GCC would keep another one in memory first.
-        crossing<W>& c = crossings[count++];
-        c.exists = c.certain = true, c.t = t, c.error = error, c.entering = entering;
-        c.face = {}, c.u = c.v = W(0), c.shared = {}, c.missed = false;
-    }
     RAIO_FN constexpr void append(const crossing<W>& c) {
         if (count < N) crossings[count++] = c;
     }
@@ -61,44 +41,11 @@ struct crossing_list {
 
     /// Takes over a root of a polynomial along the line that is positive outside. An extremum that cannot be told from
     /// zero is a tangent: the line crosses twice there.
-    RAIO_FN constexpr void append(const W& t, const bound_t<W>& error, const polynomial_root<W>& root) {
-        const bool entering = root.sign_before > 0 || (root.sign_before == 0 && root.sign_after < 0);
-        append(t, error, entering);
-        if (root.sign_before * root.sign_after > 0) append(t, error, !entering);
-    }
-
-    RAIO_FN constexpr void append(const bounded_number<W>& t, bool entering) {
-        append(t.value, detail::rounded_up<W>(t.error), entering);
-    }
-    RAIO_FN constexpr void append(const bounded_number<W>& t, const polynomial_root<W>& root) {
-        append(t.value, detail::rounded_up<W>(t.error), root);
-    }
-
-    /// Does what the crossings depend on hold? Where that is in doubt, so is the list.
-    RAIO_FN constexpr bool holds(const verdict<bool>& condition) {
-        depends_on(condition);
-        return condition.yes;
-    }
-
-    /// Takes over what `each` makes of one root after the other, and what is known of them all.
-    template <std::size_t M, class Each>
-    RAIO_FN constexpr void take(const polynomial_roots<W, M>& roots, Each each) {
-        certain = certain && roots.certain;
-        for (const polynomial_root<W>& root : roots) each(root);
-    }
-
-    /// Takes over a root, if there is one at that place: u and v say where on the surface.
-    RAIO_FN constexpr void append(const verdict<bool>& exists, const bounded_number<W>& t,
-                                  const polynomial_root<W>& root, const W& u, const W& v) {
-        depends_on(exists);
-        if (!(has_closer_look<W> ? exists.possibly : exists.yes)) return;
-        const bool entering = root.sign_before > 0 || (root.sign_before == 0 && root.sign_after < 0);
-        const auto put = [&](crossing<W>& c, bool enters) {  // in its place: GCC would copy it from elsewhere
-            c.exists = c.certain = true, c.t = t.value, c.error = detail::rounded_up<W>(t.error), c.entering = enters;
-            c.u = u, c.v = v;
-        };
-        if (count < N) put(crossings[count++], entering);
-        if (root.is_touched() && count < N) put(crossings[count++], !entering);
+    RAIO_FN constexpr void append(crossing<W> c, const polynomial_root<W>& root) {
+        c.entering = root.is_entered();
+        append(c);
+        c.entering = !c.entering;
+        if (root.is_touched()) append(c);
     }
 
     /// Puts a crossing where its t belongs.
@@ -108,33 +55,10 @@ struct crossing_list {
         crossings[i] = c;
     }
 
-    /// Takes over the crossings of a solid in parts, which may overlap. What cannot be told from touching does.
-    /// \param beyond  of parts that may be shorter than they are found: what is farther away than that from t = 0 does
-    ///                not start on them
-    template <std::size_t M>
-    RAIO_FN constexpr void append(const chord_list<W, M>& parts, const W& beyond) {
-        for (std::size_t i = 0; i < parts.count;) {
-            chord<W> both = parts.chords[i];
-            for (++i; i < parts.count; ++i) {
-                const chord<W>& next = parts.chords[i];
-                const auto apart =
-                    bounded_number<W>(next.near.t, next.near.error) > bounded_number<W>(both.far.t, both.far.error);
-                depends_on(apart);
-                if (has_closer_look<W> ? apart.possibly : apart.yes) break;
-                both = unite(both, next);
-            }
-            if (max(both.near.t, -both.far.t) < beyond) {
-                raio::start_at_origin(both.near, true);
-                raio::start_at_origin(both.far, true);
-            }
-            append(both);
-        }
-    }
-
-    /// Takes over a crossing, if there is one.
-    RAIO_FN constexpr void append_if_exists(const crossing<W>& c) {
-        certain = certain && c.certain;
-        if (c.exists) append(c);
+    /// Does what the crossings depend on hold? Where that is in doubt, so is the list.
+    RAIO_FN constexpr bool holds(const verdict<bool>& condition) {
+        depends_on(condition);
+        return condition.yes;
     }
 
     /// What was decided on the way: where that is in doubt, so is the list.
@@ -236,10 +160,10 @@ RAIO_FN constexpr crossing<W> first_in_window(const crossing_list<W, N>& list, T
     return {false, list.certain, W(0), bound_t<W>(0), false};
 }
 template <detail::question Asked, real T, class W, std::size_t N>
-RAIO_FN constexpr detail::verdict<W> settled_in_window(const crossing_list<W, N>& list, T t_min, T t_max) {
+RAIO_FN constexpr detail::finding<W> settled_in_window(const crossing_list<W, N>& list, T t_min, T t_max) {
     if (list.certain) {
         for (const crossing<W>& c : list) {
-            detail::verdict<W> found = detail::settled_in_window<Asked>(c, t_min, t_max);
+            detail::finding<W> found = detail::settled_in_window<Asked>(c, t_min, t_max);
             if (found.first.exists || !found.known) return found;
         }
     }

@@ -97,7 +97,7 @@ RAIO_FN constexpr hollow_chord<W> where_below_zero(const bounded_number<W>& a, c
         far = {select(everywhere, end, far.value), select(everywhere, E(0), far.error)};
     }
     if constexpr (!last_precision<W>) far.error = near.error;  // as it is: what comes next need not be done twice
-    exists = every(exists, has_closer_look<W> ? sound.possibly : sound.yes);
+    exists = every(exists, answer_of<W>(sound));
     certain = every(certain, some(sound.certainly, !sound.possibly, passes));
     return {{{exists, certain, near.value, near.error, !hollow}, {exists, certain, far.value, far.error, hollow}},
             hollow};

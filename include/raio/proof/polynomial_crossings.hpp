@@ -118,7 +118,7 @@ RAIO_FN constexpr crossings_of_degree<W, N> open_crossings(const polynomial<W, N
         E after(clip.far.t - c.t), after_error = c.error + clip.far.error;
         if (before < -before_error || after < -after_error) continue;
         list.certain = list.certain && before > before_error && after > after_error;
-        list.append(c.t, c.error, root);
+        list.append(c, root);
     }
     list.start_at_origin();
     return list;
@@ -183,8 +183,7 @@ struct piecewise_walk {
     }
 
     RAIO_FN constexpr void append(const polynomial_root<W>& root, bool entering) {
-        const crossing<W> c = part.at(root, entering);
-        list.append(c.t, c.error, entering);
+        list.append(part.at(root, entering));
     }
 };
 
@@ -204,7 +203,7 @@ RAIO_FN constexpr T error_of_sweep(const T& size) {
 
 /// And how far a tangent may be off, at which there is no certain root.
 template <class Point>
-RAIO_FN constexpr auto error_of_tangent(const Point& at) {
+RAIO_FN constexpr auto error_of_tangent(Point& at) {
     using T = std::remove_cvref_t<decltype(at.point().x)>;
     return last_precision<typename Point::number> ? T(at.blur()) : T(0);
 }

@@ -77,7 +77,7 @@ RAIO_FORMULA constexpr auto crossings_for(const Shape& shape, const Ray& ray, T 
 /// The first crossing that may be in the window as W finds it, and whether that settles it: is it known which one it
 /// is and, if t is asked for, what t is recorded?
 template <class W>
-struct verdict {
+struct finding {
     crossing<W> first;
     mask_t<W> known;
 };
@@ -115,7 +115,7 @@ RAIO_FN constexpr mask_t<T> is_known(const crossing<W>& c) {
 }
 
 template <question Asked, real T, class W>
-RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
+RAIO_FN constexpr finding<W> settled_in_window(crossing<W> c, T t_min, T t_max) {
     if constexpr (Asked == question::only_where) {
         c.exists = W(0) == W(0);
         return {c, is_recorded<T>(c)};
@@ -139,12 +139,12 @@ RAIO_FN constexpr verdict<W> settled_in_window(crossing<W> c, T t_min, T t_max) 
     }
 }
 
-/// The verdict on the first of several crossings, or, where that is passed, on those that come next.
+/// What is known of the first of several crossings, or, where that is passed, on those that come next.
 template <class W, class Next>
-RAIO_FN constexpr verdict<W> or_next(const verdict<W>& found, Next next) {
+RAIO_FN constexpr finding<W> or_next(const finding<W>& found, Next next) {
     const mask_t<W> passed = every(found.known, !found.first.exists);
     if (none(passed)) return found;
-    const verdict<W> later = next();
+    const finding<W> later = next();
     return {select(passed, later.first, found.first), some(every(passed, later.known), every(found.known, !passed))};
 }
 
@@ -153,12 +153,12 @@ template <question Asked>
 inline constexpr question which_one = Asked == question::whether ? Asked : question::where;
 
 template <question Asked, real T, class W>
-RAIO_FN constexpr verdict<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
+RAIO_FN constexpr finding<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
     return or_next(settled_in_window<which_one<Asked>>(c.near, t_min, t_max),
                    [&] { return settled_in_window<which_one<Asked>>(c.far, t_min, t_max); });
 }
 template <question Asked, real T, class W>
-RAIO_FN constexpr verdict<W> settled_in_window(const chord_pair<W>& c, T t_min, T t_max) {
+RAIO_FN constexpr finding<W> settled_in_window(const chord_pair<W>& c, T t_min, T t_max) {
     return or_next(settled_in_window<Asked>(c.first, t_min, t_max),
                    [&] { return settled_in_window<Asked>(c.second, t_min, t_max); });
 }

@@ -66,10 +66,10 @@ struct bezier_curve {
         const auto along = line.direction() * rounded_number<W, 1>{part.half};
         const detail::sweep<W> swept = sweep_along(part, along, given_number<W>{W(1) / size});
         const auto stretches = stretches_below_zero(swept.minus_s.value, W(0), W(1));
-        chord_list<W, 7> inside;
+        detail::chord_list<W, 7> inside;
         for (const stretch<W>& where : stretches) inside.insert(swept.extent(part, where));
         list.depends_on(stretches);
-        list.append(inside, part.half * W(0x1p-20));
+        inside.unite_into(list, part.half * W(0x1p-20));
         return list;
     }
 

@@ -113,8 +113,8 @@ private:
         const W away = c.u + c.v;
         c.u = quotient(c.u, away, W(0)), c.v = away;
         for (std::size_t i = 0; i < turns; ++i) std::tie(c.u, c.v) = std::pair(W(1) - c.v, c.u);
-        crossing_list<W, 2> list;
-        list.append_if_exists(c);
+        crossing_list<W, 2> list(c.certain);
+        if (c.exists) list.append(c);
         return list;
     }
 
@@ -154,7 +154,12 @@ private:
             const auto t = (dot(from, d) + v * dot(along, d)) * inverse(d2);
             // Where f only touches zero, the line is crossed twice: in the order of u, or against it.
             const bool backwards = root.is_touched() && is_positive(-dot(n, cross(edge + twist * v, along))).yes;
-            list.append(every(is_between, crosses, is_positive(d2)), t, backwards ? -root : root, u.value, v.value);
+            const auto exists = every(is_between, crosses, is_positive(d2));
+            list.depends_on(exists);
+            if (!answer_of<W>(exists)) continue;
+            crossing<W> c = crossing_at(t);
+            c.u = u.value, c.v = v.value;
+            list.append(c, backwards ? -root : root);
         }
         sort_by_t(list);
         start_on_surface(list, [&] { return holds_origin(line).yes; });

@@ -104,7 +104,7 @@ struct torus {
         const auto d2 = square(d);
         const auto reach2 = d2 * size * size;
         const auto passed2 = square(moment);
-        crossing_list<W, 4> list;
+        crossing_list<W, 4> list;  // `holds` remembers what was in doubt: then so is the list
         if (!list.holds(every(is_positive(reach2), reach2 >= passed2))) return list;
 
         // t = middle + x half, |x| <= 1 in the sphere; p = q + x e, in lengths of `size`, as all that follows. (Any
@@ -117,6 +117,7 @@ struct torus {
         const auto e = d * (half * over_size);
         const auto axis2 = square(given_axis);
         const auto exists = every(is_positive(major), is_positive(tube), is_positive(axis2), is_positive(half));
+        // From so far away that q is not known to a small part of the torus' size, nothing can be told of it.
         if (!list.holds(every(exists, is_located(q, line.given(W(1)))))) return list;
 
         const auto two = line.given(W(2));
@@ -134,16 +135,17 @@ struct torus {
                                      two * e2 * g + (square(eb) - four_major2 * e2), zero, square(e2));
 
         const bool is_ring = minor_radius <= major_radius;
-        list.take(roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{}),
-                  [&](const polynomial_root<W>& root) {
-                      const auto x = root.place();
-                      const auto t = middle + half * x;
-                      if (is_ring) {
-                          list.append(t, root);
-                      } else {
-                          append_outer(g + e2 * square(x), root, t, list);
-                      }
-                  });
+        const auto roots = roots_between(f, W(-1), W(1), is_ring ? roots_for(wanted, middle, half) : wanted_roots<W>{});
+        list.depends_on(roots);
+        for (const polynomial_root<W>& root : roots) {
+            const auto x = root.place();
+            const auto t = middle + half * x;
+            if (is_ring) {
+                list.append(crossing_at(t), root);
+            } else {
+                append_outer(g + e2 * square(x), root, t, list);
+            }
+        }
         start_on_surface(list, [&] { return is_on_surface(l * over_size, major2, tube2); });  // at p = -l: f(-p) = f(p)
         return list;
     }
@@ -194,7 +196,7 @@ private:
         const auto append = [&](bool enters) {
             const bool inside = list.count > 0 && list.crossings[list.count - 1].entering;
             const bool leaves = inside && (into_other_circle || any(x >= zero));
-            if (on_axis ? (enters ? !inside : leaves) : is_outer) list.append(t, enters);
+            if (on_axis ? (enters ? !inside : leaves) : is_outer) list.append(crossing_at(t, enters));
         };
         append(entering);
         if (root.is_touched()) append(!entering);

@@ -1,4 +1,4 @@
-#include <raio/proof/extremum.hpp>
+#include <raio/formula/sweep.hpp>
 
 #include <doctest/doctest.h>
 
@@ -17,7 +17,8 @@ struct extremes {
     oracle u;
 
     root_pair<W> near(const bounded_number<W>& place) const {
-        return extremes_near(differentiated<W, 3>{b.number}, differentiated<W, 6>{minus_s.number}, place);
+        return detail::extremes_near(detail::differentiated<W, 3>{b.number},
+                                     detail::differentiated<W, 6>{minus_s.number}, place);
     }
     oracle root() const { return sqrt(max(-minus_s(u), oracle(0))); }
 
@@ -36,7 +37,7 @@ extremes<W> random_extremes(random_numbers& random) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("extremum: both ends at a place that is known exactly", W, strict_double, double_double) {
+TEST_CASE_TEMPLATE("sweep: both ends at a place that is known exactly", W, strict_double, double_double) {
     random_numbers random(1);
     part_of_bound of_ends;
     int without_root = 0;
@@ -54,8 +55,8 @@ TEST_CASE_TEMPLATE("extremum: both ends at a place that is known exactly", W, st
     CHECK(of_ends.largest > 0.001);
 }
 
-TEST_CASE_TEMPLATE("extremum: the end that turns there is off by the square of what the place is off by", W,
-                   strict_double, double_double) {
+TEST_CASE_TEMPLATE("sweep: the end that turns there is off by the square of what the place is off by", W, strict_double,
+                   double_double) {
     random_numbers random(2);
     part_of_bound of_end;
     int flat = 0, seen = 0;
