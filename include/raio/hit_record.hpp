@@ -79,9 +79,17 @@ RAIO_FN constexpr void put(To& to, const From& from) {
     }
 }
 
-}  // namespace detail
-
-namespace detail {
+/// Calls `visit` with each member that the record has, and with that of the other one; but for `indices`.
+template <class Record, class Other, class Visit>
+RAIO_FN constexpr void for_each_member(Record& rec, const Other& other, Visit visit) {
+    visit(rec.t, other.t);
+    if constexpr (has_point<Record>) visit(rec.point, other.point);
+    if constexpr (has_normal<Record>) visit(rec.normal, other.normal);
+    if constexpr (has_uv<Record>) visit(rec.uv, other.uv);
+    if constexpr (has_error<Record>) visit(rec.error, other.error);
+    if constexpr (has_index<Record>) visit(rec.index, other.index);
+    if constexpr (has_front_face<Record>) visit(rec.front_face, other.front_face);
+}
 
 /// Says which member of an aggregate was hit, in the record that the member has filled.
 template <record Record, class Index>
@@ -93,25 +101,11 @@ RAIO_FN constexpr void put_index(Record& rec, const Index& index) {
     }
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// The order of crossings along a ray: by t, at equal t the front faces first, and of equal ones the lowest index.
 template <real T>
 RAIO_FN constexpr bool comes_before(const hit_record<T>& a, const hit_record<T>& b) {
     if (a.t != b.t) return a.t < b.t;
     return a.front_face != b.front_face ? a.front_face : a.index < b.index;
-}
-
-/// A record that `hit` can fill as that one, and that says which side is hit.
-template <real T, record Record>
-RAIO_FN constexpr auto with_side(const Record& rec) {
-    if constexpr (has_front_face<Record>) {
-        return rec;
-    } else {
-        return hit_record<T>{};
-    }
 }
 
 }  // namespace detail
@@ -133,9 +127,9 @@ RAIO_FN constexpr T before(T t) {
     return -after(-t);
 }
 
-/// The nearest that T can say to a point beyond its largest number.
+/// The nearest that T can say to a point beyond its largest number. Hardly any point is.
 template <real T>
-RAIO_FN constexpr vec3<T> within_range(const vec3<T>& p) {
+RAIO_RARELY RAIO_FN constexpr vec3<T> within_range(vec3<T> p) {
     const T most(std::numeric_limits<scalar_t<T>>::max());
     const auto clamped = [&](const T& x) { return max(-most, min(most, x)); };
     return {clamped(p.x), clamped(p.y), clamped(p.z)};
@@ -154,32 +148,20 @@ RAIO_FN constexpr void assign(const Mask& mask, Record& to, const Record& from) 
             member = new_member;
         }
     };
-    take(to.t, from.t);
-    if constexpr (has_point<Record>) take(to.point, from.point);
-    if constexpr (has_normal<Record>) take(to.normal, from.normal);
-    if constexpr (has_uv<Record>) take(to.uv, from.uv);
-    if constexpr (has_error<Record>) take(to.error, from.error);
-    if constexpr (has_index<Record>) take(to.index, from.index);
+    detail::for_each_member(to, from, take);
     if constexpr (has_indices<Record>) {
         for (std::size_t k = 0; k < std::size(to.indices); ++k) take(to.indices[k], from.indices[k]);
     }
-    if constexpr (has_front_face<Record>) take(to.front_face, from.front_face);
 }
 
 /// Takes over what the record has room for.
 template <record Record, real T>
 RAIO_FN constexpr void assign(Record& to, const hit_record<T>& from) {
-    detail::put(to.t, from.t);
-    if constexpr (has_point<Record>) detail::put(to.point, from.point);
-    if constexpr (has_normal<Record>) detail::put(to.normal, from.normal);
-    if constexpr (has_uv<Record>) detail::put(to.uv, from.uv);
-    if constexpr (has_error<Record>) detail::put(to.error, from.error);
-    if constexpr (has_index<Record>) detail::put(to.index, from.index);
+    detail::for_each_member(to, from, [](auto& member, const auto& new_member) { detail::put(member, new_member); });
     if constexpr (has_indices<Record>) {
         for (auto& index : to.indices) detail::put(index, index_t<T>{});
         detail::put(to.indices[0], from.index);
     }
-    if constexpr (has_front_face<Record>) detail::put(to.front_face, from.front_face);
 }
 
 /// A ray that leaves the surface at the recorded point and never meets that point again: its origin is moved to the

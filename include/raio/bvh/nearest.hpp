@@ -3,6 +3,7 @@
 #include <raio/push_macros.hpp>
 
 #include <raio/bvh/leaf_kinds.hpp>
+#include <raio/compose/group.hpp>
 
 namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include <raio/concepts.hpp>
+#include <raio/compose/group.hpp>
 #include <raio/math/any_number_of_spans.hpp>
 #include <raio/proof/mapped_ray.hpp>
 

@@ -77,9 +77,16 @@ RAIO_FN constexpr auto ends_of(const P& shape, const Ray& ray, index_t<number_t<
     }
 }
 
-}  // namespace detail
-
-namespace detail {
+/// The crossing at t, which is known to be one.
+template <primitive P, class Ray, record Record>
+RAIO_FN constexpr mask_t<number_t<P>> hit_at(const P& shape, const Ray& ray, number_t<P> t, Record& rec) {
+    if constexpr (requires { shape.record_at(ray, t, rec); }) {
+        shape.record_at(ray, t, rec);
+        return is_finite(t);
+    } else {
+        return detail::hit(shape, ray, t, t, rec);
+    }
+}
 
 /// Can a solid be made of what they hold?
 template <class A, class B>

@@ -18,6 +18,96 @@ concept group_member = primitive<Member> || primitive<std::ranges::range_value_t
 
 namespace detail {
 
+/// A record that `hit` can fill as that one, and that says which side is hit.
+template <real T, record Record>
+RAIO_FN constexpr auto with_side(const Record& rec) {
+    if constexpr (has_front_face<Record>) {
+        return rec;
+    } else {
+        return hit_record<T>{};
+    }
+}
+
+/// Is t kept as it was found, to be read again?
+template <class Record, class T>
+concept keeps_t = requires(Record& rec) {
+    requires std::same_as<std::remove_cvref_t<decltype(rec.t)>, T>;
+};
+
+/// `hit` of an aggregate that has to compare t, for a record that does not keep it.
+template <class P, class Ray, real T, record Record>
+RAIO_FN constexpr mask_t<T> hit_in_between(const P& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
+    hit_record<T> own;
+    if (!shape.hit(ray, t_min, t_max, own)) return false;
+    assign(rec, own);
+    return true;
+}
+
+/// Of several primitives that are equally near, records the first that shows its front or, if none does, the first.
+/// Out of line, as what is rare.
+/// \param tied  the lanes in which more than one is met at rec.t
+template <class Ray, real T, record Record, class ForEach>
+RAIO_RARELY RAIO_FN constexpr void record_front_first(mask_t<T> tied, const Ray& ray, T t_min, Record& rec,
+                                                      ForEach for_each) {
+    const T t = select(tied, rec.t, t_min);
+    for (int sweep = 0; sweep < 2 && any(tied); ++sweep) {
+        const mask_t<T> any_side(sweep == 1);
+        index_t<T> index{};
+        for_each([&](const auto& primitive) {
+            auto seen = with_side<T>(rec);
+            const mask_t<T> met = tied && hit(primitive, ray, t_min, t, seen);
+            const mask_t<T> first = met && (any_side || mask_t<T>(seen.front_face));
+            if (any(first)) {
+                if constexpr (has_lanes<T>) {
+                    Record candidate = rec;
+                    hit(primitive, ray, t_min, t, candidate);
+                    put_index(candidate, index);
+                    assign(first, rec, candidate);
+                } else {
+                    hit(primitive, ray, t_min, t, rec);
+                    put_index(rec, index);
+                }
+                tied = tied && !first;
+            }
+            index = index + index_t<T>(1);
+            return any(tied);
+        });
+    }
+}
+
+/// `hit` of several primitives, one after the other: the nearest is hit, of equally near ones the first that shows its
+/// front or, if none does, the first.
+/// \param for_each  calls what it is given with one primitive after the other
+template <class Ray, real T, record Record, class ForEach>
+RAIO_FN constexpr mask_t<T> hit_nearest(const Ray& ray, T t_min, T t_max, Record& rec, ForEach for_each) {
+    mask_t<T> found = !(T(0) == T(0)), tied = found;
+    index_t<T> index{};
+    for_each([&](const auto& primitive) {
+        if constexpr (std::floating_point<T>) {
+            // What is as near as all before, or nearer, goes straight into the record: a miss writes nothing.
+            if (hit(primitive, ray, t_min, t_max, rec)) {
+                put_index(rec, index);
+                tied = found && rec.t == t_max;
+                t_max = rec.t;
+                found = true;
+            }
+        } else {
+            Record candidate;
+            const mask_t<T> met = hit(primitive, ray, t_min, select(found, rec.t, t_max), candidate);
+            const mask_t<T> nearer = met && (!found || candidate.t < rec.t);
+            tied = !nearer && (tied || (met && candidate.t == rec.t));
+            put_index(candidate, index);
+            if (any(nearer)) assign(nearer, rec, candidate);
+            found = found || nearer;
+        }
+        index = index + index_t<T>(1);
+        return true;
+    });
+    if (any(tied)) [[unlikely]]
+        record_front_first(tied, ray, t_min, rec, for_each);
+    return found;
+}
+
 /// The primitive that a member of a group is, or that it is a range of.
 template <class Member>
 struct primitive_of {

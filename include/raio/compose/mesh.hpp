@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <raio/compose/closed_surface.hpp>
+#include <raio/compose/group.hpp>
 #include <raio/failure.hpp>
 #include <raio/number/simd.hpp>
 #include <raio/shape/triangle.hpp>
