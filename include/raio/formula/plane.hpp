@@ -38,6 +38,20 @@ RAIO_FN constexpr chord<W> cross_between(const bounded_number<W>& to_low, const 
     return unless_parallel(is_parallel, c, every(is_not_negative(-to_low), is_not_negative(to_high)));
 }
 
+/// Puts the point onto its plane if that runs across an axis, as bounds without a thickness expect it: one coordinate
+/// is known then, that of any other point of the plane.
+template <class Point, real T>
+RAIO_FN constexpr void put_onto_plane(Point& at, const vec3<T>& normal, const vec3<T>& on_plane) {
+    if constexpr (Point::is_mapped) return;
+    const auto put = [](const T& n_j, const T& n_k, const T& known, T& p) {
+        p = select(every(n_j == T(0), n_k == T(0)), known, p);
+    };
+    vec3<T>& point = at.point();
+    put(normal.y, normal.z, on_plane.x, point.x);
+    put(normal.z, normal.x, on_plane.y, point.y);
+    put(normal.x, normal.y, on_plane.z, point.z);
+}
+
 }  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>

@@ -255,40 +255,6 @@ RAIO_FN constexpr chord<W> cut(const chord<W>& c, const chord<W>& solid) {
     }
 }
 
-/// The chord of the points between two parallel faces, low <= x <= high, from what the ray has of x. A line that runs
-/// along them is between them everywhere or nowhere. That is asked of the origin, and not of a quotient: 0 / 0 would
-/// answer neither. So is a line that would take more than W can say to cross anything.
-template <class W, real R, real T>
-RAIO_FN constexpr chord<W> between_faces(const R& origin, const R& direction, const T& low, const T& high,
-                                         const index_t<W>& face) {
-    using E = bound_t<W>;
-    W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
-    const mask_t<W> along = some(direction == R(0), !is_finite(over_d)), yes = along == along;
-    const mask_t<W> within = every(R(low) <= origin, origin <= R(high));
-    const auto way_to = [&](const T& x) {
-        W way = difference_as<W>(x, origin), t = way * over_d;
-        if constexpr (last_precision<W>) {  // whose products are no numbers beyond its range
-            if (!is_finite(t)) t = (way > W(0)) == (over_d > W(0)) ? inf : -inf;
-        }
-        return t;
-    };
-    W to_low = way_to(low), to_high = way_to(high);
-    mask_t<W> certain = yes;
-    if constexpr (has_closer_look<W>) certain = some(direction == R(0), is_finite(abs(to_low) + abs(to_high)));
-    if constexpr (std::same_as<scalar_t<W>, float>) {  // its quotient may have lost digits
-        W speed = abs(W(direction));
-        certain = every(certain, some(speed == W(0), every(speed >= W(4 * least_normal<W>), is_finite(W(16) * speed))));
-    }
-    const auto end = [&](const W& t, const mask_t<W>& entering) {
-        // The way, the quotient and the product were rounded.
-        E error = select(is_finite(t), with_underflow<W>(E(4 * unit_roundoff<W>) * abs(E(t))), E(0));
-        return crossing<W>{some(!along, within), certain, t, error, entering, face};
-    };
-    chord<W> c{end(min(to_low, to_high), yes), end(max(to_low, to_high), !yes)};
-    keep_going_where(along, c);
-    return c;
-}
-
 /// Keeps only ends whose point has coordinates in the range of T.
 template <real T, class Line, class W>
 RAIO_FN constexpr void keep_if_in_range(const Line& line, chord<W>& c) {

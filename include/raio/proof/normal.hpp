@@ -5,7 +5,7 @@
 #include <raio/proof/record.hpp>
 
 /// \file
-/// Normals of which few digits are left: close to an apex, on slivers, beside folds.
+/// What is recorded where few digits are left of a normal: close to an apex, on slivers, beside folds.
 
 namespace raio::inline RAIO_ABI {
 
@@ -88,6 +88,51 @@ template <class Q>
 RAIO_FN constexpr vec3<Q> mirrored_against(const vec3<Q>& outward, const vec3<Q>& direction, const Q& side) {
     return outward - direction * (Q(2) * max(Q(0), dot(outward, direction) * side) * side);
 }
+
+namespace detail {
+
+/// The same crossing in a wider precision.
+template <class X, class W>
+RAIO_FN constexpr crossing<X> in_more_digits(const crossing<W>& c) {
+    const auto wider = [](const W& x) { return X(bound_t<X>(x)); };
+    return {c.exists, c.certain, wider(c.t), bound_t<X>(c.error), c.entering, c.face, wider(c.u), wider(c.v), c.shared};
+}
+
+/// A shape that asks for more digits than T has, close to a tip.
+template <class Shape, class At>
+concept has_tips = requires(const Shape shape, const At at) {
+    shape.is_close_to_tip(at);
+};
+
+/// What the shape records of a crossing.
+template <class Shape, class Ray, class W, record Record>
+RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const crossing<W>& crossing, Record& rec);
+
+/// The same with all digits that there are. Close to a tip only, so that it is out of line.
+template <class Shape, class Ray, class W, record Record>
+RAIO_RARELY RAIO_FN constexpr void record_closer(const Shape& shape, const Ray& ray, const crossing<W>& crossing,
+                                                 Record& rec) {
+    record_crossing(shape, ray, in_more_digits<exact_t<typename Shape::number>>(crossing), rec);
+}
+
+template <class Shape, class Ray, class W, record Record>
+RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const crossing<W>& crossing, Record& rec) {
+    using T = typename Shape::number;
+    using point = surface_point<W, T, Ray, Record>;
+    point at(ray, crossing, rec);
+    shape.surface(at);
+    at.fill(rec);
+    if constexpr (lacks_digits<T, W> && has_tips<Shape, point>) {
+        const mask_t<T> close(shape.is_close_to_tip(at));
+        if (any(close)) [[unlikely]] {
+            Record closer;
+            record_closer(shape, ray, crossing, closer);
+            assign(close, rec, closer);
+        }
+    }
+}
+
+}  // namespace detail
 
 }  // namespace raio::inline RAIO_ABI
 

@@ -17,22 +17,10 @@ namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
-template <real T>
-RAIO_RARELY RAIO_FN constexpr vec3<T> put_within_range(vec3<T> p) {
-    return within_range(p);
-}
-
 /// Has W no more digits than are recorded, and is there a precision that has?
 template <class T, class W>
 inline constexpr bool lacks_digits =
     !is_believed<W> && unit_roundoff<T> <= unit_roundoff<W> && unit_roundoff<exact_t<T>> < unit_roundoff<W>;
-
-/// The same crossing in a wider precision.
-template <class X, class W>
-RAIO_FN constexpr crossing<X> in_more_digits(const crossing<W>& c) {
-    const auto wider = [](const W& x) { return X(bound_t<X>(x)); };
-    return {c.exists, c.certain, wider(c.t), bound_t<X>(c.error), c.entering, c.face, wider(c.u), wider(c.v), c.shared};
-}
 
 /// What the error of t counts for at least: a 64th of its rounding. So it is recorded alike by those who know more of
 /// it and those who know less.
@@ -64,12 +52,15 @@ class surface_point {
     using E = bound_t<W>;
 
 public:
+    static constexpr bool is_mapped = detail::is_mapped<Ray>;
+
     using number = W;
     using precise = std::conditional_t<is_believed<W>, W, working_t<T>>;  ///< what normals and uv are found in
 
     RAIO_FN constexpr surface_point(const Ray& ray, const raio::crossing<W>& c, Record& rec)
         : ray_(ray), crossing_(c), rec_(rec) {}
 
+    RAIO_FN constexpr const Ray& ray() const { return ray_; }
     /// What the shape's formula has found.
     RAIO_FN constexpr const raio::crossing<W>& crossing() const { return crossing_; }
     RAIO_FN constexpr const mask_t<W>& entering() const { return crossing_.entering; }
@@ -87,14 +78,18 @@ public:
     /// How far along the ray the exact point may be, as a length.
     RAIO_FN constexpr E blur() const { return norm1(vec3<E>(direction())) * crossing_.error; }
 
-    /// The point, once it has been recorded, as the shape sees it.
-    RAIO_FN constexpr const vec3<T>& point() const {
+    /// The point, once it has been recorded, as the shape sees it, which may know better where it is; and how far it
+    /// may be off.
+    RAIO_FN constexpr vec3<T>& point() {
         if constexpr (is_mapped) {
             return own_point_;
         } else {
             return rec_.point;
         }
     }
+    RAIO_FN constexpr vec3<T>& error() { return rec_.error; }
+    /// For one that is unit and faces the ray already.
+    RAIO_FN constexpr vec3<T>& normal() { return rec_.normal; }
 
     /// Records t, the point, how far that may be off, and the side.
     /// \param bend  a bound of the radius at which the surface bends, where it does: the greater, the farther from it
@@ -110,7 +105,7 @@ public:
         }
         const T reach = norm1(rec_.point);
         if constexpr (!is_believed<W>) {
-            if (!all(is_finite(reach))) rec_.point = detail::put_within_range(rec_.point);
+            if (!all(is_finite(reach))) rec_.point = within_range(rec_.point);
         }
         if constexpr (is_mapped) {
             own_point_ = vec3<T>(position());
@@ -164,52 +159,7 @@ public:
         }
     }
     /// The same of a point that lies between corners, which may be seen edge-on.
-    RAIO_FN constexpr void keep_between(const aabb<T>& corners) {
-        if constexpr (is_mapped) {
-            own_point_ = nearest_in(corners, own_point_);
-        } else {
-            rec_.point = nearest_in(corners, rec_.point);
-        }
-    }
-
-    /// Puts the point onto its plane if that runs across an axis, as bounds without a thickness expect it: one
-    /// coordinate is known then, that of any other point of the plane.
-    RAIO_FN constexpr void put_onto_plane(const vec3<T>& normal, const vec3<T>& on_plane) {
-        if constexpr (is_mapped) return;
-        const auto put = [](const T& n_j, const T& n_k, const T& known, T& p) {
-            p = select(every(n_j == T(0), n_k == T(0)), known, p);
-        };
-        put(normal.y, normal.z, on_plane.x, rec_.point.x);
-        put(normal.z, normal.x, on_plane.y, rec_.point.y);
-        put(normal.x, normal.y, on_plane.z, rec_.point.z);
-    }
-
-    /// Puts the point onto a face of a box, of which one coordinate is known without any error, and records the normal.
-    /// \param axis  that the face is across; beyond 2 the point stays where it is, and the normal is 0
-    RAIO_FN constexpr void put_on_face(const aabb<T>& box, const index_t<W>& axis) {
-        const mask_t<T> enters = entering();
-        if constexpr (is_mapped) {
-            if (axis > 2) return;
-            const auto i = static_cast<glm::length_t>(axis);
-            const bool at_low = enters == (direction()[i] > W(0));
-            vec3<Q> outward(Q(0));
-            outward[i] = Q(at_low ? -1 : 1);
-            own_point_[i] = at_low ? box.min[i] : box.max[i];
-            return record_normal(outward);
-        } else {
-            using R = std::remove_cvref_t<decltype(ray_.direction.x)>;
-            const auto put = [&](mask_t<T> on, const R& d, T low, T high, T& p, T& error, T& normal) {
-                const mask_t<T> forward = d > R(0), at_low = enters == forward;
-                p = choose(on, choose(at_low, low, high), p);
-                error = choose(on, T(0), error);
-                normal = choose(on, choose(forward, T(-1), T(1)), T(0));
-            };
-            vec3<R> d = ray_.direction;
-            put(axis == index_t<W>(0), d.x, box.min.x, box.max.x, rec_.point.x, rec_.error.x, rec_.normal.x);
-            put(axis == index_t<W>(1), d.y, box.min.y, box.max.y, rec_.point.y, rec_.error.y, rec_.normal.y);
-            put(axis == index_t<W>(2), d.z, box.min.z, box.max.z, rec_.point.z, rec_.error.z, rec_.normal.z);
-        }
-    }
+    RAIO_FN constexpr void keep_between(const aabb<T>& corners) { point() = nearest_in(corners, point()); }
 
     /// Records the normal.
     /// \param outward  across the surface, of any length
@@ -256,9 +206,6 @@ public:
         }
     }
 
-    /// Records a normal that is unit and faces the ray already.
-    RAIO_FN constexpr void record_facing(const vec3<T>& normal) { rec_.normal = normal; }
-
     /// Records uv.
     /// \param find  answers with it: angles are not asked for in vain
     template <class Find>
@@ -285,7 +232,6 @@ public:
 private:
     using Q = precise;
 
-    static constexpr bool is_mapped = detail::is_mapped<Ray>;
     static constexpr bool is_full = std::same_as<Record, hit_record<T>>;
     /// For a record that has no room for all of it.
     struct own_record : hit_record<T> {
@@ -311,44 +257,6 @@ private:
     std::conditional_t<is_full, hit_record<T>&, own_record> rec_;
     [[no_unique_address]] std::conditional_t<is_mapped, vec3<T>, nothing> own_point_;  ///< before all maps
 };
-
-namespace detail {
-
-/// A shape that asks for more digits than T has, close to a tip.
-template <class Shape, class At>
-concept has_tips = requires(const Shape shape, const At at) {
-    shape.is_close_to_tip(at);
-};
-
-/// What the shape records of a crossing.
-template <class Shape, class Ray, class W, record Record>
-RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const crossing<W>& crossing, Record& rec);
-
-/// The same with all digits that there are. Close to a tip only, so that it is out of line.
-template <class Shape, class Ray, class W, record Record>
-RAIO_RARELY RAIO_FN constexpr void record_closer(const Shape& shape, const Ray& ray, const crossing<W>& crossing,
-                                                 Record& rec) {
-    record_crossing(shape, ray, in_more_digits<exact_t<typename Shape::number>>(crossing), rec);
-}
-
-template <class Shape, class Ray, class W, record Record>
-RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const crossing<W>& crossing, Record& rec) {
-    using T = typename Shape::number;
-    using point = surface_point<W, T, Ray, Record>;
-    point at(ray, crossing, rec);
-    shape.surface(at);
-    at.fill(rec);
-    if constexpr (lacks_digits<T, W> && has_tips<Shape, point>) {
-        const mask_t<T> close(shape.is_close_to_tip(at));
-        if (any(close)) [[unlikely]] {
-            Record closer;
-            record_closer(shape, ray, crossing, closer);
-            assign(close, rec, closer);
-        }
-    }
-}
-
-}  // namespace detail
 
 }  // namespace raio::inline RAIO_ABI
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include <raio/proof/record.hpp>
+#include <raio/proof/normal.hpp>
 #include <raio/proof/settle_lanes.hpp>
 #include <raio/proof/window.hpp>
 
@@ -234,16 +234,6 @@ RAIO_RARELY RAIO_FN constexpr interval<T> inside_closer(const Shape& shape, cons
     return between_ends<T>(exact.near, exact.far);
 }
 
-}  // namespace detail
-
-/// Where the line is inside a solid whose crossings these are.
-template <real T, class W>
-RAIO_FN constexpr interval<T> spans_between(const chord<W>& c) {
-    return detail::between_ends<T>(c.near, c.far);
-}
-
-namespace detail {
-
 /// Where the line is inside a convex solid, in a function of its own.
 template <class Shape, class Ray, real T = typename Shape::number>
 [[gnu::noinline]] RAIO_FLATTEN RAIO_FN constexpr interval<T> inside_apart(const Shape& shape, const Ray& ray) {
@@ -255,11 +245,18 @@ template <class Shape, class Ray, real T = typename Shape::number>
             return between_ends<T>(near, far);
         return inside_closer(shape, origin_of(ray));
     } else {
-        return spans_between<T>(every_end(shape, line_in<exact_t<T>>(ray)));
+        const auto exact = every_end(shape, line_in<exact_t<T>>(ray));
+        return between_ends<T>(exact.near, exact.far);
     }
 }
 
 }  // namespace detail
+
+/// Where the line is inside a solid whose crossings these are.
+template <real T, class W>
+RAIO_FN constexpr interval<T> spans_between(const chord<W>& c) {
+    return detail::between_ends<T>(c.near, c.far);
+}
 
 /// Where the line is inside a convex solid; empty where it misses. Both ends are what a hit records for t,
 /// or infinite where the solid has no end.

@@ -3,7 +3,7 @@
 #include <raio/push_macros.hpp>
 
 #include <raio/proof/lanes.hpp>
-#include <raio/proof/record.hpp>
+#include <raio/proof/normal.hpp>
 #include <raio/proof/window.hpp>
 
 /// \file
@@ -26,76 +26,58 @@ struct sifted {
     T low, high;
     mask_t<T> at_near{true};   ///< of the two of a chord, is it the near one?
     mask_t<T> in_first{true};  ///< of two chords, is it of the first?
+    mask_t<T> passed{false};   ///< known to be before the window, or not at all
 };
 
-/// Between which numbers the exact t comes to lie once it is rounded to T, and where that is.
-template <class T, class W>
-struct rounded_crossing {
-    T low, high;
-    mask_t<T> inside, beyond;  ///< known to be in the window, or beyond it
-    mask_t<T> passed;          ///< known to be before it, or not at all
+/// What is known of the first of two or, where that is passed, of the one that comes next.
+template <class T>
+RAIO_FN sifted<T> or_next(const sifted<T>& a, const sifted<T>& b) {
+    const auto either = [&](const mask_t<T>& x, const mask_t<T>& y) { return some(x, every(a.passed, y)); };
+    return {.sure = either(a.sure, b.sure),
+            .open = either(a.open, b.open),
+            .low = select(a.passed, b.low, a.low),
+            .high = select(a.passed, b.high, a.high),
+            .at_near = either(every(!a.passed, a.at_near), b.at_near),
+            .passed = every(a.passed, b.passed)};
+}
 
-    RAIO_FN rounded_crossing(const crossing<W>& c, const T& t_min, const T& t_max) {
-        if constexpr (is_believed<W>) {
-            low = high = T(c.t);
-            inside = every(mask_t<T>(c.exists), t_min <= low, low <= t_max);
-            beyond = every(mask_t<T>(c.exists), t_max < low);
-            passed = !some(inside, beyond);
-            return;
-        }
-        const mask_t<T> certain = c.certain, exists = c.exists;
-        mask_t<T> known = every(certain, exists);
-        bound_t<W> error = c.error;
-        // The bounds of floats count what is lost near their smallest number. Of doubles only t comes near theirs, or
-        // near the largest, where two doubles have no products.
-        if constexpr (!std::same_as<scalar_t<W>, float>) {
-            error += bound_t<W>(least_normal<W>);
-            known = every(known, mask_t<T>(abs(c.t) < W(0.25 * std::numeric_limits<double>::max())));
-        }
-        low = T(c.t - error), high = T(c.t + error);
-        inside = every(known, t_min <= low, high <= t_max);
-        beyond = every(known, t_max < low);
-        passed = some(every(known, high < t_min), every(certain, !exists));
-    }
-};
-
-/// The same of a chord: of its near end or, where that is passed, of the far one. (That of a tube without caps may have
-/// a far end only.)
-template <class T, class W>
-struct rounded_chord {
-    T low, high;
-    mask_t<T> inside, beyond, passed, at_near;
-
-    RAIO_FN rounded_chord(const chord<W>& c, const T& t_min, const T& t_max) {
-        const rounded_crossing<T, W> near(c.near, t_min, t_max), far(c.far, t_min, t_max);
-        inside = some(near.inside, every(near.passed, far.inside));
-        beyond = some(near.beyond, every(near.passed, far.beyond));
-        passed = every(near.passed, far.passed);
-        at_near = every(c.near.exists, t_min <= near.low);
-        low = select(at_near, near.low, far.low), high = select(at_near, near.high, far.high);
-    }
-};
-
-/// What packs of floats know of a crossing, or of the first in the window of several.
+/// What packs of floats know of a crossing, or of the first in the window of several: between which numbers the exact t
+/// comes to lie once it is rounded to T, and where that is.
 template <class T, class W>
 RAIO_FN sifted<T> sift_rounded(const crossing<W>& c, const T& t_min, const T& t_max) {
-    const rounded_crossing<T, W> is(c, t_min, t_max);
-    return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high};
+    const mask_t<T> certain = c.certain, exists = c.exists;
+    if constexpr (is_believed<W>) {
+        const T t(c.t);
+        const mask_t<T> inside = every(exists, t_min <= t, t <= t_max), beyond = every(exists, t_max < t);
+        return {.sure = inside, .open = false, .low = t, .high = t, .passed = !some(inside, beyond)};
+    }
+    mask_t<T> known = every(certain, exists);
+    bound_t<W> error = c.error;
+    // The bounds of floats count what is lost near their smallest number. Of doubles only t comes near theirs, or near
+    // the largest, where two doubles have no products.
+    if constexpr (!std::same_as<scalar_t<W>, float>) {
+        error += bound_t<W>(least_normal<W>);
+        known = every(known, mask_t<T>(abs(c.t) < W(0.25 * std::numeric_limits<double>::max())));
+    }
+    const T low(c.t - error), high(c.t + error);
+    const mask_t<T> inside = every(known, t_min <= low, high <= t_max), beyond = every(known, t_max < low);
+    const mask_t<T> passed = some(every(known, high < t_min), every(certain, !exists));
+    return {.sure = inside, .open = !some(inside, beyond, passed), .low = low, .high = high, .passed = passed};
 }
+/// (The chord of a tube without caps may have a far end only.)
 template <class T, class W>
 RAIO_FN sifted<T> sift_rounded(const chord<W>& c, const T& t_min, const T& t_max) {
-    const rounded_chord<T, W> is(c, t_min, t_max);
-    return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high, is.at_near};
+    const sifted<T> near = sift_rounded(c.near, t_min, t_max);
+    sifted<T> found = or_next(near, sift_rounded(c.far, t_min, t_max));
+    found.at_near = !near.passed;
+    return found;
 }
 template <class T, class W>
 RAIO_FN sifted<T> sift_rounded(const chord_pair<W>& c, const T& t_min, const T& t_max) {
-    const rounded_chord<T, W> first(c.first, t_min, t_max), second(c.second, t_min, t_max);
-    const mask_t<T> sure = some(first.inside, every(first.passed, second.inside)), in_first = !first.passed;
-    const mask_t<T> out = some(first.beyond, every(first.passed, some(second.beyond, second.passed)));
-    const mask_t<T> at_near = some(every(in_first, first.at_near), every(first.passed, second.at_near));
-    return {
-        sure,    !some(sure, out), select(in_first, first.low, second.low), select(in_first, first.high, second.high),
-        at_near, in_first};
+    const sifted<T> first = sift_rounded(c.first, t_min, t_max);
+    sifted<T> found = or_next(first, sift_rounded(c.second, t_min, t_max));
+    found.in_first = !first.passed;
+    return found;
 }
 
 /// What packs know of the first crossing in the window. Of doubles it is what is recorded.

@@ -87,7 +87,7 @@ struct box {
         const aabb<T> corners{min, max};
         at.record_point();
         at.keep_between(corners);
-        at.put_on_face(corners, at.face());
+        detail::put_on_face(at, corners, at.face());
         at.record_uv([&] { return detail::uv_across(corners, at.face(), at.point()); });
     }
 
@@ -105,6 +105,35 @@ private:
         const T less = raio::min(size.x, size.y), more = raio::max(size.x, size.y);
         const T thinnest = raio::min(less, size.z), middle = raio::max(less, raio::min(more, size.z));
         return every(thinnest >= T(0), middle > T(0), is_finite(size));
+    }
+
+    /// The chord of the points between two faces, low <= x <= high, from what the ray has of x, where nobody takes a
+    /// closer look. A line that runs along them is between them everywhere or nowhere. That is asked of the origin, and
+    /// not of a quotient: 0 / 0 would answer neither. So is a line that would take more than W can say to cross
+    /// anything.
+    template <class W>
+    RAIO_FN static constexpr chord<W> between_faces(const T& origin, const T& direction, const T& low, const T& high,
+                                                    const index_t<W>& face) {
+        using E = bound_t<W>;
+        W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
+        const mask_t<W> along = some(direction == T(0), !is_finite(over_d)), yes = along == along;
+        const mask_t<W> within = every(low <= origin, origin <= high);
+        const auto way_to = [&](const T& x) {
+            W way = difference_as<W>(x, origin), t = way * over_d;
+            if constexpr (last_precision<W>) {  // whose products are no numbers beyond its range
+                if (!is_finite(t)) t = (way > W(0)) == (over_d > W(0)) ? inf : -inf;
+            }
+            return t;
+        };
+        const auto end = [&](const W& t, const mask_t<W>& entering) {
+            // The way, the quotient and the product were rounded.
+            E error = select(is_finite(t), E(4 * unit_roundoff<W>) * abs(E(t)), E(0));
+            return crossing<W>{some(!along, within), yes, t, error, entering, face};
+        };
+        W to_low = way_to(low), to_high = way_to(high);
+        chord<W> c{end(raio::min(to_low, to_high), yes), end(raio::max(to_low, to_high), !yes)};
+        keep_going_where(along, c);
+        return c;
     }
 
     /// The same formula for precisions that have a closer look. Leaves of trees spend their time here, so the bound is

@@ -137,7 +137,7 @@ struct convex_polyhedron {
         const vec3<T>& n = plane.normal;
         at.record_point();
         const auto axis_at = [&](const T& n_i) { return quotient(-plane.offset, n_i, T(0)); };
-        at.put_onto_plane(n, {axis_at(n.x), axis_at(n.y), axis_at(n.z)});
+        put_onto_plane(at, n, {axis_at(n.x), axis_at(n.y), axis_at(n.z)});
         at.record_normal(n);
         at.record_uv([&] {
             vec3<T> up(normalize_from<T>(vec3<typename Point::precise>(n)));

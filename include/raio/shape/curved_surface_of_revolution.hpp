@@ -22,14 +22,13 @@ struct revolved_piece<T, 3> {
     RAIO_FORMULA constexpr crossing_list<typename Line::number, 12> crossings(const Line& line) const {
         using W = typename Line::number;
         crossing_list<W, 12> list;
-        const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x)), least = min(min(p0.x, p1.x), min(p2.x, p3.x));
-        const T low = min(min(p0.y, p1.y), min(p2.y, p3.y)), high = max(max(p0.y, p1.y), max(p2.y, p3.y));
+        const auto [low, high] = around();
         const vec3<W> a(axis);
-        const W unit = length(a), middle = (W(low) + W(high)) * W(0.5);
-        const bool sound = least >= T(0) && is_finite(base) && is_finite(p0.x + p1.x + p2.x + p3.x) &&
+        const W unit = length(a), middle = (W(low.y) + W(high.y)) * W(0.5);
+        const bool sound = low.x >= T(0) && is_finite(base) && is_finite(p0.x + p1.x + p2.x + p3.x) &&
                            is_finite(p0.y + p1.y + p2.y + p3.y);
         if (!sound || !(unit > W(0)) || !is_finite(bound_t<W>(unit))) return list;
-        const W reach = W(widest) + (W(high) - W(low)) * (W(0.5) * unit);
+        const W reach = W(high.x) + (W(high.y) - W(low.y)) * (W(0.5) * unit);
         const auto part = part_near(line, base, vec3<W>(base) + a * middle, reach);
         list.depends_on(part);
         if (!part.exists) return list;
@@ -46,9 +45,8 @@ struct revolved_piece<T, 3> {
         const auto curve = beside_axis<W>();
         const W s = at.crossing().u;
         vec3<W> p = at.from(base);
-        const T widest = max(max(p0.x, p1.x), max(p2.x, p3.x));
-        const T high = max(max(abs(p0.y), abs(p1.y)), max(abs(p2.y), abs(p3.y)));
-        const T size = widest + norm1(axis) * high;
+        const auto [low, high] = around();
+        const T size = high.x + norm1(axis) * max(abs(low.y), abs(high.y));
         at.record_point(size);
         at.add_error(error_of_sweep(size));
         at.record_gradient(outward_normal(curve, s, p));
@@ -61,6 +59,8 @@ struct revolved_piece<T, 3> {
     }
 
 private:
+    RAIO_FN constexpr profile_bounds<T> around() const { return profile_bounds<T>::around(std::array{p0, p1, p2, p3}); }
+
     template <class W>
     RAIO_FN constexpr curve_beside_axis<W> beside_axis() const {
         const given_vector<W> a{W(axis.x), W(axis.y), W(axis.z)};

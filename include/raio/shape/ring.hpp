@@ -77,7 +77,7 @@ struct ring {
     RAIO_FN constexpr void surface(Point& at) const {
         at.record_point();
         at.keep_in([this] { return bounds(); });
-        at.put_onto_plane(normal, center);
+        put_onto_plane(at, normal, center);
         at.record_normal(normal);
         at.record_uv([&] {
             vec3<T> up(normalize_from<T>(vec3<typename Point::precise>(normal)));

@@ -108,7 +108,7 @@ private:
         const T steepness = length(slope), side = at.entering() ? T(1) : T(-1);
         const bool flat = !(steepness > T(0) && is_finite(steepness));
         vec3<T> towards = normalize(at.direction()), facing = flat ? -towards : slope * (side / steepness);
-        at.record_facing(normalize(mirrored_against(facing, towards, T(1))));
+        at.normal() = normalize(mirrored_against(facing, towards, T(1)));
         // From the one end of the tolerance to beyond the other.
         at.add_error(T(3) * tolerance / (flat ? lipschitz : steepness));
     }

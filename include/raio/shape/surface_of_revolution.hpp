@@ -63,7 +63,7 @@ struct revolved_piece<T, 1> {
         const vec3<W> from_axis = from_start - along * height;
         if (is_flat()) {
             at.record_point();
-            at.put_onto_plane(axis, vec3<T>(vec3<W>(base) + start));
+            put_onto_plane(at, axis, vec3<T>(vec3<W>(base) + start));
             at.record_normal(axis);
         } else {
             at.record_point(max(from.x, to.x) + norm1(axis) * abs(to.y - from.y));
