@@ -110,19 +110,6 @@ template <class T, class Line, class L, class D, class W, int M>
     return {a, b, s2, of_a, bound};
 }
 
-/// The same numbers as doubles whose products may be fused with a sum: for a verdict that is right either way.
-template <int K>
-RAIO_FN constexpr rounded_number<double, K> in_doubles(const rounded_number<strict_double, K>& a) {
-    return {double(a.value)};
-}
-template <int K>
-RAIO_FN constexpr rounded_vector<double, K> in_doubles(const rounded_vector<strict_double, K>& v) {
-    return {double(v.x), double(v.y), double(v.z)};
-}
-RAIO_FN constexpr bounded_vector<double> in_doubles(const bounded_vector<strict_double>& v) {
-    return {double(v.x), double(v.y), double(v.z), double(v.error)};
-}
-
 }  // namespace detail
 
 /// The same, with less to do where the line is known to miss, or to cross a sphere less than some ninety radii away.
@@ -153,14 +140,6 @@ template <class T, class Line, proven_vector L, proven_vector D, int M, class Po
         return between(every(is_positive(radius), crosses), enters, leaves);
     }
     if constexpr (!has_closer_look<W>) return cross_sphere(l, d, radius);
-    if constexpr (std::same_as<W, strict_double> && !has_spare_digits<W, T>) {
-        using detail::in_doubles;
-        if (detail::look_at_sphere<T, Line>(in_doubles(l), in_doubles(d), in_doubles(radius)).passes()) {
-            return nowhere<W>();
-        }
-        return cross_sphere(l, d, radius);
-    }
-
     auto look = detail::look_at_sphere<T, Line>(l, d, radius);
     mask_t<W> passes = look.passes();
     if (all(passes)) return nowhere<W>();
@@ -205,7 +184,7 @@ template <class Line, real T>
     auto l = line.to(center);
     auto d = line.direction();
     auto r = line.given(radius);
-    if constexpr (Line::is_exact && std::same_as<W, strict_double> && !has_spare_digits<W, T>) {
+    if constexpr (Line::is_exact && std::same_as<T, double> && !is_believed<W>) {
         return cross_sphere(l, d, r);  // `hit` and `occluded` have asked before whether the line passes
     } else {
         return cross_sphere_along<T>(line, l, d, r, power);

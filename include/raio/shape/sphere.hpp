@@ -11,6 +11,9 @@ namespace raio::inline RAIO_ABI {
 
 /// The ball: its surface is at distance `radius` from `center`.
 ///
+/// It reads as every shape does: `crossings` says where a line enters it and where it leaves, `surface` what is
+/// recorded of such a point. `hit`, `occluded` and `spans` choose among the crossings (proof/settle.hpp).
+///
 /// With the ray's direction d and l from its origin to the centre, the point at t lies on it where |t d - l| = radius:
 ///
 ///     t = (b -+ s) / a,   a = d.d,   b = l.d,   s^2 = b^2 - a (l.l - radius^2) = a radius^2 - |l x d|^2
@@ -35,6 +38,7 @@ struct sphere {
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const { return inside_of(*this, ray); }
 
+    /// Larger by a rounding or two, so that points which were rounded lie within. NaN, if a field is.
     RAIO_FN constexpr aabb<T> bounds() const {
         return unless_nan(padded(aabb<T>{center - vec3<T>(radius), center + vec3<T>(radius)}), center, radius);
     }
@@ -49,10 +53,10 @@ struct sphere {
         return {center + normal * radius, normal};
     }
 
-    /// Where the ray's line enters the sphere and where it leaves it: `hit`, `occluded` and `spans` choose among these.
-    /// Numbers carry bounds of their errors (proof/line.hpp), and whether a comparison of them holds may be in doubt:
-    /// `every` and `some` combine such verdicts, `all` asks whether one holds beyond doubt, `any` whether it may hold
-    /// (number/verdict.hpp). What RAIO_FN and RAIO_FORMULA tell compilers: config.hpp.
+    /// Where the ray's line enters the sphere and where it leaves it. Numbers carry bounds of their errors
+    /// (proof/line.hpp), and whether a comparison of them holds may be in doubt: `every` and `some` combine such
+    /// verdicts, `all` asks whether one holds beyond doubt, `any` whether it may hold (number/verdict.hpp). What
+    /// RAIO_FN and RAIO_FORMULA tell compilers: config.hpp.
     template <class Line>
     [[gnu::always_inline]] RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         return cross_sphere_about(center, radius, line);
@@ -66,12 +70,12 @@ struct sphere {
     /// What `hit` records of a point of the surface.
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
-        auto outward = at.from(center);
+        auto outward = at.from(center);           // to the point
         at.record_point(radius);                  // how the surface bends counts in the error bound
         at.keep_in([this] { return bounds(); });  // where that is large, the point may lie beyond them
         at.record_normal(outward, radius);
         at.record_uv([&] {
-            using Q = typename Point::precise;
+            using Q = typename Point::precise;  // doubles; of a `quick` shape, its own numbers
             vec3<T> unit(vec3<Q>(outward) * (Q(1) / Q(radius)));
             return vec2<T>(turns(-unit.z, unit.x), latitude(unit.y, sqrt(unit.x * unit.x + unit.z * unit.z)));
         });
