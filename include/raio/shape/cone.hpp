@@ -33,21 +33,6 @@
 
 namespace raio::inline RAIO_ABI {
 
-namespace detail {
-
-/// The chord through the nappe that widens from the apex towards the base, and on.
-template <class Line, real T>
-RAIO_FN constexpr auto cross_endless_cone(const vec3<T>& base, const vec3<T>& apex, const T& radius, const Line& line) {
-    const auto r = line.given(radius);
-    const auto d = line.direction();
-    const auto axis = line.between(apex, base);
-    const zero_number<typename Line::number> zero;
-    const turned_conic nappes{zero, zero, r * r, zero};  // c0, c1, c2 and c1^2 - c0 c2
-    return one_nappe(cross_quadric(d, line.to(apex), axis, nappes, r), dot(d, axis));
-}
-
-}  // namespace detail
-
 /// The points between a disc and an apex over its centre: a solid; or, if it is not `Closed`, only the side, rim
 /// included, which is hit from both sides.
 template <real T, bool Closed = true>
@@ -85,7 +70,12 @@ struct cone {
     /// one holds beyond doubt, `any` whether it may hold (number/verdict.hpp).
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        auto endless = detail::cross_endless_cone(base, apex, radius, line);
+        const auto r = line.given(radius);
+        const auto d = line.direction();
+        const auto axis = line.between(apex, base);
+        const zero_number<typename Line::number> zero;
+        const turned_conic nappes{zero, zero, r * r, zero};  // c0, c1, c2 and c1^2 - c0 c2
+        auto endless = detail::one_nappe(cross_quadric(d, line.to(apex), axis, nappes, r), dot(d, axis));
         if (missed(endless)) return endless;
         // Of a solid the part of the chord between the planes of base and apex; of a side alone those ends that are.
         auto c = cut<Closed>(endless, detail::cross_cap_planes(base, apex, line));

@@ -21,33 +21,6 @@ namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
-/// The chord through the endless paraboloid.
-template <class Line, real T>
-RAIO_FN constexpr auto cross_endless_paraboloid(const vec3<T>& vertex, const vec3<T>& top, const T& radius,
-                                                const Line& line) {
-    const auto r = line.given(radius);
-    const auto c1 = line.given(T(0.5)) * (r * r);
-    const zero_number<typename Line::number> zero;
-    return cross_quadric(line.direction(), line.to(vertex), line.between(vertex, top),
-                         turned_conic{zero, c1, zero, c1 * c1}, r)
-        .ends;
-}
-
-/// Around the curve h axis + sqrt(h) reach, whose highest point is inside of the paraboloid's ends where the axis goes
-/// down steeply enough.
-template <real T>
-RAIO_FN constexpr aabb<T> paraboloid_bounds(const vec3<T>& vertex, const vec3<T>& top, T radius) {
-    vec3<T> axis = top - vertex, reach = disc_reach(axis, radius);
-    const auto highest = [](const T& rise, const T& r) {
-        const T bulge = quotient(r * r, T(-4) * rise, T(0)) * T(1 + 8 * unit_roundoff<T>);
-        return select(T(2) * rise + r < T(0), bulge, max(T(0), rise + r));
-    };
-    vec3<T> up(highest(axis.x, reach.x), highest(axis.y, reach.y), highest(axis.z, reach.z));
-    vec3<T> down(highest(-axis.x, reach.x), highest(-axis.y, reach.y), highest(-axis.z, reach.z));
-    vec3<T> rounding(norm1(axis) * T(2 * unit_roundoff<T>));
-    return unless_nan(padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)}), vertex, top, radius);
-}
-
 /// The side, to be sampled.
 template <real T>
 struct paraboloid_side {
@@ -93,7 +66,19 @@ struct paraboloid {
 
     RAIO_FN constexpr interval<T> spans(const ray<T>& ray) const requires(Closed) { return inside_of(*this, ray); }
 
-    RAIO_FN constexpr aabb<T> bounds() const { return detail::paraboloid_bounds(vertex, top, radius); }
+    /// Around the curve h axis + sqrt(h) reach, whose highest point is inside of the paraboloid's ends where the axis
+    /// goes down steeply enough.
+    RAIO_FN constexpr aabb<T> bounds() const {
+        vec3<T> axis = top - vertex, reach = disc_reach(axis, radius);
+        const auto highest = [](const T& rise, const T& r) {
+            const T bulge = quotient(r * r, T(-4) * rise, T(0)) * T(1 + 8 * unit_roundoff<T>);
+            return select(T(2) * rise + r < T(0), bulge, max(T(0), rise + r));
+        };
+        vec3<T> up(highest(axis.x, reach.x), highest(axis.y, reach.y), highest(axis.z, reach.z));
+        vec3<T> down(highest(-axis.x, reach.x), highest(-axis.y, reach.y), highest(-axis.z, reach.z));
+        vec3<T> rounding(norm1(axis) * T(2 * unit_roundoff<T>));
+        return unless_nan(padded(aabb<T>{vertex - (down + rounding), vertex + (up + rounding)}), vertex, top, radius);
+    }
 
     RAIO_FN constexpr T area() const { return detail::axial_area<Closed>(side()); }
 
@@ -105,7 +90,11 @@ struct paraboloid {
 
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
-        auto endless = detail::cross_endless_paraboloid(vertex, top, radius, line);
+        const auto r = line.given(radius);
+        const auto c1 = line.given(T(0.5)) * (r * r);
+        const zero_number<typename Line::number> zero;
+        const turned_conic side{zero, c1, zero, c1 * c1};  // c0, c1, c2 and c1^2 - c0 c2
+        auto endless = cross_quadric(line.direction(), line.to(vertex), line.between(vertex, top), side, r).ends;
         if (missed(endless)) return endless;
         auto c = cut<Closed>(endless, detail::cross_upper_plane(vertex, top, line));
         keep_if_in_range<T>(line, c);  // no point beyond the largest number

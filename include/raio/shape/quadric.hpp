@@ -88,18 +88,6 @@ private:
                 s.z * p.z + half.x * p.y + half.y * p.x};
     }
 
-    /// Bounds of that matrix' norm, and of f's terms at a point no farther away.
-    template <class W>
-    RAIO_FN constexpr bound_t<W> second_degree() const {
-        using E = bound_t<W>;
-        return norm1(vec3<E>(vec3<W>(squares))) + norm1(vec3<E>(vec3<W>(products)));
-    }
-    template <class W>
-    RAIO_FN constexpr bound_t<W> terms_within(const bound_t<W>& far) const {
-        using E = bound_t<W>;
-        return (second_degree<W>() * far + norm1(vec3<E>(vec3<W>(linear)))) * far + abs(E(W(constant)));
-    }
-
     /// Where the line is inside of what the box does not cut off.
     ///
     /// The line is seen from a place of it near the box, in steps as long as the box is large, and f in parts of the
@@ -125,7 +113,10 @@ private:
         const E far = norm1(vec3<E>(center)) + E(size);
         const auto place = line.given(select(starts_near, W(0), nearest));
         const auto unit = line.given(W(E(size) * E(over_speed)));
-        const auto part = line.given(W(quotient(E(1), terms_within<W>(far), E(0))));
+        // A bound of f's terms no farther away than that.
+        const auto sizes = [](const vec3<T>& v) { return norm1(vec3<E>(vec3<W>(v))); };
+        const E terms = ((sizes(squares) + sizes(products)) * far + sizes(linear)) * far + abs(E(W(constant)));
+        const auto part = line.given(W(quotient(E(1), terms, E(0))));
 
         const auto diagonal = line.given(squares) * part;
         const auto beside = line.given(products) * part;

@@ -93,12 +93,11 @@ struct round_cone {
         at.keep_in([this] { return bounds(); });
         at.record_normal(outward);
         at.record_uv([&] {
-            vec3<T> up(normalize(select(axis2 > W(0), vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1)))));
-            vec3<T> unit(normalize(outward));
+            vec3<T> up(normalize(select(axis2 > W(0), vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1))))), from_center(outward);
             const frame<T> f = frame_about(up);
-            const T size = T(sqrt(axis2)), height = T(quotient(along, sqrt(axis2), dot(from_base, vec3<W>(up))));
-            return vec2<T>(turns(dot(unit, f.y), dot(unit, f.x)),
-                           max(T(0), min(T(1), (height + base_radius) / (size + base_radius + top_radius))));
+            const W size = sqrt(axis2), height = quotient(along, size, from_base.z);  // without an axis, along z
+            return vec2<T>(turns(dot(from_center, f.y), dot(from_center, f.x)),
+                           max(T(0), min(T(1), (T(height) + base_radius) / (T(size) + base_radius + top_radius))));
         });
     }
 
