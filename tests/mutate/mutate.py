@@ -45,7 +45,6 @@ SHAPES = {
     "proof/polynomial_crossings.hpp": ["shape/algebraic", "shape/steiner"],
     "proof/line_part.hpp": ["shape/algebraic", "shape/steiner"],
     "proof/parabola.hpp": ["shape/quadric", "shape/hyperboloid"],
-    "proof/extremum.hpp": ["shape/bezier_curve"],
     "proof/normal.hpp": ["shape/cone", "shape/frustum", "shape/bilinear_patch"],
     "formula/revolution.hpp": ["shape/curved_surface_of_revolution"],
     "math/polynomial_roots.hpp": ["shape/torus"],
