@@ -9,7 +9,7 @@
 
 namespace raio::inline RAIO_ABI {
 
-/// The number type of a shape: that of the corner of its bounds, for all that have bounds.
+/// The number type of a shape.
 template <class P>
 using number_t = typename P::number;
 

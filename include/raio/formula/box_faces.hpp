@@ -34,7 +34,7 @@ RAIO_FN constexpr void put_on_face(Point& at, const aabb<T>& box, const Index& a
         outward[i] = T(at_low ? -1 : 1);
         at.record_normal(outward);
     } else {
-        const vec3<T>& d = at.ray().direction;
+        vec3<T> d = at.ray().direction;
         const auto put = [&](mask_t<T> on, const T& d_i, T low, T high, T& p_i, T& error_i, T& normal_i) {
             const mask_t<T> forward = d_i > T(0), at_low = enters == forward;
             p_i = choose(on, choose(at_low, low, high), p_i);

@@ -141,7 +141,10 @@ RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, 
         const auto u1 = u * over_size;
         const auto v1 = v * over_size;
         crossing<W> c = crossing_at(exists, t, det.value > W(0));
-        keep_if_one_point(c, s + d * t - (e1 * u1 + e2 * v1), size_of(e1) + size_of(e2));
+        if constexpr (last_precision<W>) {  // which may know so little of t that it could be any number
+            const auto apart = s + d * t - (e1 * u1 + e2 * v1);
+            c.exists = every(c.exists, size_of(apart) <= bound_t<W>(0x1p-30) * (size_of(e1) + size_of(e2)));
+        }
         c.u = u1.value, c.v = v1.value;
         return c;
     }

@@ -170,14 +170,6 @@ RAIO_FN constexpr crossing<W> no_crossing() {
     return {.exists = no, .certain = !no, .t = W(0), .error = bound_t<W>(0), .entering = no, .missed = true};
 }
 
-/// Keeps a crossing only if the point that the line has at t and that of the surface are one. They are `apart`. The
-/// last precision may know so little of t that it could be any number; no more than a 2^30th of the surface's size is a
-/// tie.
-template <class W>
-RAIO_FN constexpr void keep_if_one_point(crossing<W>& c, const bounded_vector<W>& apart, const bound_t<W>& size) {
-    if constexpr (last_precision<W>) c.exists = every(c.exists, size_of(apart) <= bound_t<W>(0x1p-30) * size);
-}
-
 /// The same crossing, and where it is on the surface: u is the place, and v how far that may be off.
 template <class W>
 RAIO_FN constexpr crossing<W> located(crossing<W> c, const bounded_number<W>& place) {

@@ -231,22 +231,15 @@ RAIO_FN constexpr vec3<W> seen_from(const vec3<V>& p, const mapped_ray<T>& ray, 
 namespace detail {
 
 /// The ray as one sees it that is under the map. It is given what it has to outlive.
-template <real T>
-RAIO_FN constexpr mapped_ray<T> mapped(const ray<T>& ray, const inverse_map<T>& map) {
-    return {ray, map};
-}
-template <real T>
-RAIO_FN constexpr mapped_ray<T> mapped(const mapped_ray<T>& ray, const inverse_map<T>& map) {
-    return {ray, map};
-}
-template <class World, real T>
-requires(std::derived_from<World, ray<T>> && !std::same_as<World, ray<T>>) RAIO_FN
-    constexpr mapped_ray_of<T, World> mapped(const World& ray, const inverse_map<T>& map) {
-    return {ray, map};
-}
-template <real T, class World>
-RAIO_FN constexpr mapped_ray_of<T, World> mapped(const mapped_ray_of<T, World>& ray, const inverse_map<T>& map) {
-    return {ray, map};
+template <class Ray, real T>
+RAIO_FN constexpr auto mapped(const Ray& ray, const inverse_map<T>& map) {
+    if constexpr (is_mapped<Ray>) {
+        return Ray(ray, map);
+    } else if constexpr (std::same_as<Ray, raio::ray<T>>) {
+        return mapped_ray<T>(ray, map);
+    } else {
+        return mapped_ray_of<T, Ray>(ray, map);
+    }
 }
 
 }  // namespace detail

@@ -22,11 +22,12 @@ namespace detail {
 /// in `open` may do anything.
 template <class T>
 struct sifted {
-    mask_t<T> sure, open;
+    mask_t<T> sure, open{};
     T low, high;
     mask_t<T> at_near{true};   ///< of the two of a chord, is it the near one?
     mask_t<T> in_first{true};  ///< of two chords, is it of the first?
-    mask_t<T> passed{false};   ///< known to be before the window, or not at all
+    mask_t<T> beyond{false};   ///< known to be beyond the window
+    mask_t<T> passed{false};   ///< known to be before it, or not at all
 };
 
 /// What is known of the first of two or, where that is passed, of the one that comes next.
@@ -34,10 +35,10 @@ template <class T>
 RAIO_FN sifted<T> or_next(const sifted<T>& a, const sifted<T>& b) {
     const auto either = [&](const mask_t<T>& x, const mask_t<T>& y) { return some(x, every(a.passed, y)); };
     return {.sure = either(a.sure, b.sure),
-            .open = either(a.open, b.open),
             .low = select(a.passed, b.low, a.low),
             .high = select(a.passed, b.high, a.high),
             .at_near = either(every(!a.passed, a.at_near), b.at_near),
+            .beyond = either(a.beyond, b.beyond),
             .passed = every(a.passed, b.passed)};
 }
 
@@ -49,7 +50,7 @@ RAIO_FN sifted<T> sift_rounded(const crossing<W>& c, const T& t_min, const T& t_
     if constexpr (is_believed<W>) {
         const T t(c.t);
         const mask_t<T> inside = every(exists, t_min <= t, t <= t_max), beyond = every(exists, t_max < t);
-        return {.sure = inside, .open = false, .low = t, .high = t, .passed = !some(inside, beyond)};
+        return {.sure = inside, .low = t, .high = t, .beyond = beyond, .passed = !some(inside, beyond)};
     }
     mask_t<T> known = every(certain, exists);
     bound_t<W> error = c.error;
@@ -62,7 +63,7 @@ RAIO_FN sifted<T> sift_rounded(const crossing<W>& c, const T& t_min, const T& t_
     const T low(c.t - error), high(c.t + error);
     const mask_t<T> inside = every(known, t_min <= low, high <= t_max), beyond = every(known, t_max < low);
     const mask_t<T> passed = some(every(known, high < t_min), every(certain, !exists));
-    return {.sure = inside, .open = !some(inside, beyond, passed), .low = low, .high = high, .passed = passed};
+    return {.sure = inside, .low = low, .high = high, .beyond = beyond, .passed = passed};
 }
 /// (The chord of a tube without caps may have a far end only.)
 template <class T, class W>
@@ -89,7 +90,9 @@ RAIO_FN sifted<T> sift(const Found<W>& found, const T& t_min, const T& t_max) {
         const T t(first.t);
         return {every(known, first.exists), !known, t, t};
     } else {
-        return sift_rounded(found, t_min, t_max);
+        sifted<T> first = sift_rounded(found, t_min, t_max);
+        first.open = !some(first.sure, first.beyond, first.passed);
+        return first;
     }
 }
 

@@ -70,7 +70,7 @@ struct box {
                 return c;
             };
             return with_faces(intersect(intersect(slab(0), slab(1)), slab(2)), has_faces());
-        } else if constexpr (has_closer_look<W>) {
+        } else if constexpr (has_closer_look<W> || is_believed<W>) {
             return crossings_at_once<W>(line.ray);
         } else {
             const auto [origin, direction] = line.ray;
@@ -107,33 +107,29 @@ private:
         return every(thinnest >= T(0), middle > T(0), is_finite(size));
     }
 
-    /// The chord of the points between two faces, low <= x <= high, from what the ray has of x, where nobody takes a
-    /// closer look. A line that runs along them is between them everywhere or nowhere. That is asked of the origin, and
-    /// not of a quotient: 0 / 0 would answer neither. So is a line that would take more than W can say to cross
-    /// anything.
+    /// The chord of the points between two faces, low <= x <= high, from what the ray has of x, in the last precision.
+    /// A line that runs along them is between them everywhere or nowhere. That is asked of the origin, and not of a
+    /// quotient: 0 / 0 would answer neither. So is a line that would take more than W can say to cross anything.
     template <class W>
     RAIO_FN static constexpr chord<W> between_faces(const T& origin, const T& direction, const T& low, const T& high,
                                                     const index_t<W>& face) {
         using E = bound_t<W>;
-        W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
-        const mask_t<W> along = some(direction == T(0), !is_finite(over_d)), yes = along == along;
-        const mask_t<W> within = every(low <= origin, origin <= high);
+        const W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
+        if (direction == T(0) || !is_finite(over_d)) {
+            return low <= origin && origin <= high ? everywhere<W>() : nowhere<W>();
+        }
         const auto way_to = [&](const T& x) {
-            W way = difference_as<W>(x, origin), t = way * over_d;
-            if constexpr (last_precision<W>) {  // whose products are no numbers beyond its range
-                if (!is_finite(t)) t = (way > W(0)) == (over_d > W(0)) ? inf : -inf;
-            }
-            return t;
+            const W way = difference_as<W>(x, origin), t = way * over_d;
+            if (is_finite(t)) return t;  // products of two doubles are no numbers beyond their range
+            return (way > W(0)) == (over_d > W(0)) ? inf : -inf;
         };
-        const auto end = [&](const W& t, const mask_t<W>& entering) {
+        const auto end = [&](const W& t, bool entering) {
             // The way, the quotient and the product were rounded.
-            E error = select(is_finite(t), E(4 * unit_roundoff<W>) * abs(E(t)), E(0));
-            return crossing<W>{some(!along, within), yes, t, error, entering, face};
+            const E error = is_finite(t) ? E(4 * unit_roundoff<W>) * abs(E(t)) : E(0);
+            return crossing<W>{true, true, t, error, entering, face};
         };
-        W to_low = way_to(low), to_high = way_to(high);
-        chord<W> c{end(raio::min(to_low, to_high), yes), end(raio::max(to_low, to_high), !yes)};
-        keep_going_where(along, c);
-        return c;
+        const W to_low = way_to(low), to_high = way_to(high);
+        return {end(raio::min(to_low, to_high), true), end(raio::max(to_low, to_high), false)};
     }
 
     /// The same formula for precisions that have a closer look. Leaves of trees spend their time here, so the bound is
