@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <raio/config.hpp>
+#include <raio/math/newton.hpp>
 
 namespace raio::inline RAIO_ABI {
 
@@ -36,20 +36,11 @@ struct conic {
         return twice / 2;
     }
 
-    /// Up to where the area from `from` on is such a part of that up to `to`. By Newton's method, halved where it would
-    /// leave what encloses the place.
+    /// Up to where the area from `from` on is such a part of that up to `to`.
     RAIO_FN double place(double from, double to, double part) const {
         const double wanted = part * area(from, to);
-        double low = from, high = to, x = from + (to - from) * part;
-        for (int i = 0; i < 64; ++i) {
-            const double over = area(from, x) - wanted, height = (*this)(x), last = x;
-            if (over == 0) break;
-            (over > 0 ? high : low) = x;
-            const double next = height > 0 ? x - over / height : low;
-            x = low < next && next < high ? next : low + (high - low) / 2;
-            if (std::abs(x - last) <= 0x1p-52 * std::abs(x)) break;
-        }
-        return x;
+        return newton_between(
+            from, to, from + (to - from) * part, [&](double x) { return area(from, x) - wanted; }, *this);
     }
 };
 

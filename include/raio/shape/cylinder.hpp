@@ -45,7 +45,7 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
     const auto beside = cross(l, axis);
     const auto a = square(n);
     const auto ar2 = a * (r * r);
-    const auto passed2 = square(dot(l, n));  // of the line from the axis, times n.n
+    const auto passed2 = square(dot(l, n));  // of the distance at which the line passes the axis, times n.n
     const auto crosses = every(is_positive(r), is_positive(ar2), ar2 >= passed2);
     const auto is_parallel = !is_positive(a);  // to the axis
     if (all(every(!is_parallel, !crosses))) return nowhere<W>();
@@ -54,7 +54,10 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
     const auto axis2 = square(axis);
     const auto inner2 = axis2 * (r * r);
     const auto beside2 = square(beside);
-    const auto [enters, leaves] = quadratic_roots(a, dot(beside, n), beside2 - inner2, sqrt(axis2 * (ar2 - passed2)));
+    const auto b = dot(beside, n);
+    const auto c = beside2 - inner2;
+    const auto s = sqrt(axis2 * (ar2 - passed2));
+    const auto [enters, leaves] = quadratic_roots(a, b, c, s);  // (b -+ s) / a
     if (all(!is_parallel)) return between(crosses, enters, leaves);
 
     const auto is_inside = every(is_positive(r), is_positive(inner2), beside2 <= inner2);
@@ -109,12 +112,14 @@ struct cylinder {
 
     template <class Point>
     RAIO_FN constexpr void surface(Point& at) const {
+        // What is normal to the side leads away from the axis, at any height.
         const auto outwards = [](const auto& from_axis, const auto&) { return from_axis; };
         detail::axial_surface(at, base, top, vec2<T>(radius), radius, outwards);
         at.keep_in([this] { return bounds(); });
     }
 
 private:
+    /// That of a frustum with equal radii.
     RAIO_FN constexpr detail::frustum_side<T> side() const { return {base, top, vec2<T>(radius)}; }
 };
 

@@ -18,8 +18,8 @@ namespace raio::inline RAIO_ABI {
 ///
 ///     t = (b -+ s) / a,   a = d.d,   b = l.d,   s^2 = b^2 - a (l.l - radius^2) = a radius^2 - |l x d|^2
 ///
-/// (formula/sphere.hpp). uv: u is the angle about +y from +x towards -z, in turns, v the latitude, 0 at the lowest y
-/// and 1 at the highest.
+/// (formula/sphere.hpp: `cross_sphere`; what else stands there saves time). uv: u is the angle about +y from +x towards
+/// -z, in turns, v the latitude, 0 at the lowest y and 1 at the highest.
 template <real T>
 struct sphere {
     using number = T;

@@ -5,6 +5,7 @@
 #include <raio/concepts.hpp>
 #include <raio/math/angle.hpp>
 #include <raio/math/frame.hpp>
+#include <raio/math/newton.hpp>
 #include <raio/proof/line_part.hpp>
 #include <raio/surface_sample.hpp>
 
@@ -70,16 +71,9 @@ struct torus {
     /// u.x turns about the axis; u.y is the area between the inside of the tube and the point.
     RAIO_FN constexpr surface_sample<T> sample(const vec2<T>& u) const {
         const T end = widest(), wanted = (T(2) * u.y - T(1)) * strip(end);
-        // Newton's method, halved where it would leave what encloses the angle.
-        T low = -end, high = end, psi = T(0);
-        for (int i = 0; i < 64; ++i) {
-            const T over = strip(psi) - wanted;
-            (over > T(0) ? high : low) = psi;
-            const T next = psi - quotient(over, major_radius + minor_radius * cos(psi), T(infinity<T>));
-            const T last = psi;
-            psi = low <= next && next <= high ? next : low + (high - low) / T(2);
-            if (abs(psi - last) <= T(2 * unit_roundoff<T>) * abs(psi)) break;
-        }
+        const T psi = newton_between(
+            -end, end, T(0), [&](T angle) { return strip(angle) - wanted; },
+            [&](T angle) { return major_radius + minor_radius * cos(angle); });
         const frame<T> f = frame_about(normalize(axis));
         const T phi = T(2 * pi<T>) * u.x;
         vec3<T> outwards = f.x * cos(phi) + f.y * sin(phi);
