@@ -33,8 +33,8 @@ template <class W, int M, proven_vector L, proven_vector D>
     auto crosses = every(is_positive(radius), is_positive(ar2), ar2 >= passed2);
     if (all(!crosses)) return nowhere<W>();
 
-    auto c = select(is_positive(r2), square(l) - r2, unknown_number<W>());  // r2 may be too small for a number
     auto s = sqrt(ar2 - passed2);
+    auto c = select(is_positive(r2), square(l) - r2, unknown_number<W>());  // r2 may be too small for a number
     auto [near_end, far_end] = quadratic_roots(a, b, c, s);  // (b -+ s) / a
     // From 2^89 radii away nothing can be told of it.
     return between(every(crosses, is_root_told_from_zero(ar2, b)), near_end, far_end);

@@ -54,9 +54,9 @@ RAIO_FN constexpr auto cross_endless_cylinder(const vec3<T>& base, const vec3<T>
     const auto axis2 = square(axis);
     const auto inner2 = axis2 * (r * r);
     const auto beside2 = square(beside);
-    const auto b = dot(beside, n);
-    const auto c = beside2 - inner2;
     const auto s = sqrt(axis2 * (ar2 - passed2));
+    const auto c = beside2 - inner2;
+    const auto b = dot(beside, n);
     const auto [enters, leaves] = quadratic_roots(a, b, c, s);  // (b -+ s) / a
     if (all(!is_parallel)) return between(crosses, enters, leaves);
 
