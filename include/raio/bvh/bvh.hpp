@@ -52,14 +52,15 @@ public:
     template <class... Members>
     requires(sizeof...(Members) == kind_count) explicit bvh(const group<Members...>& shapes,
                                                             const bvh_options& options = {}) {
-        std::apply([&](const auto&... member) { tree_.build(std::tuple(all_of(member)...), options); }, shapes.members);
+        std::apply([&](const auto&... member) { tree_.build(std::tuple(detail::all_of(member)...), options); },
+                   shapes.members);
     }
 
     /// The triangles of a mesh; what it has beside them is not taken. A tree of `mesh_triangle` leaves the corners
     /// where they are, and the mesh has to live longer. \throws  the same, and what `mesh::check` throws
     explicit bvh(const mesh<T>& of, const bvh_options& options = {}) requires(sizeof...(Rest) == 0) {
         of.check();
-        tree_.build(std::tuple(triangles_of{of}), options);
+        tree_.build(std::tuple(detail::triangles_as<P>{of}), options);
     }
 
     /// The same shapes at other places: the tree stays, its boxes follow. The farther they go, the more the tree costs.
@@ -68,11 +69,11 @@ public:
     void refit(std::span<const P> shapes) requires(sizeof...(Rest) == 0) { tree_.refit(std::tuple(shapes)); }
     template <class... Members>
     requires(sizeof...(Members) == kind_count) void refit(const group<Members...>& shapes) {
-        std::apply([&](const auto&... member) { tree_.refit(std::tuple(all_of(member)...)); }, shapes.members);
+        std::apply([&](const auto&... member) { tree_.refit(std::tuple(detail::all_of(member)...)); }, shapes.members);
     }
     void refit(const mesh<T>& of) requires(sizeof...(Rest) == 0) {
         of.check();
-        tree_.refit(std::tuple(triangles_of{of}));
+        tree_.refit(std::tuple(detail::triangles_as<P>{of}));
     }
 
     template <ray_of<T> Ray = raio::ray<T>, record Record>
@@ -117,14 +118,12 @@ public:
                 },
                 [&](std::size_t i) { return query.farthest(i); });
             if (together) return query.finish();
-            if (detail::may_be_split(some)) {  // which run in several octants may do so half by half
-                const std::size_t half = some.size() / 2;
-                const auto of = recs.subspan(first, some.size());
-                return hit(some.first(half), t_min, t_max, of) | hit(some.subspan(half), t_min, t_max, of.subspan(half))
-                                                                     << half;
-            }
-            return detail::bits_of(some.size(),
-                                   [&](std::size_t i) { return hit(some[i], t_min, t_max, recs[first + i]); });
+            return detail::answer_apart(
+                some,
+                [&](std::size_t from, std::size_t count) {
+                    return hit(some.subspan(from, count), t_min, t_max, recs.subspan(first + from, count));
+                },
+                [&](std::size_t i) { return hit(some[i], t_min, t_max, recs[first + i]); });
         });
     }
 
@@ -141,12 +140,11 @@ public:
             const bool together =
                 detail::visit_leaves_together(tree_, detail::rays_in_lanes<T>(some), some.size(), t_min, t_max, visit,
                                               [&](std::size_t i) { return found[i] ? -infinity<T> : t_max; });
-            if (!together && detail::may_be_split(some)) {
-                const std::size_t half = some.size() / 2;
-                return occluded(some.first(half), t_min, t_max) | occluded(some.subspan(half), t_min, t_max) << half;
-            }
-            return detail::bits_of(
-                some.size(), [&](std::size_t i) { return together ? found[i] : occluded(some[i], t_min, t_max); });
+            if (together) return detail::bits_of(some.size(), [&](std::size_t i) { return found[i]; });
+            return detail::answer_apart(
+                some,
+                [&](std::size_t from, std::size_t count) { return occluded(some.subspan(from, count), t_min, t_max); },
+                [&](std::size_t i) { return occluded(some[i], t_min, t_max); });
         });
     }
 
@@ -221,30 +219,6 @@ public:
     std::size_t bytes() const { return tree_.bytes(); }
 
 private:
-    struct triangles_of {
-        const mesh<T>& of;
-
-        std::size_t size() const { return of.size(); }
-        P operator[](std::size_t i) const {
-            if constexpr (detail::is_quick<P>) {
-                return {triangle_as<typename P::shape>(i)};
-            } else {
-                return triangle_as<P>(i);
-            }
-        }
-
-    private:
-        template <class Triangle>
-        Triangle triangle_as(std::size_t i) const {
-            if constexpr (std::same_as<Triangle, mesh_triangle<T>>) {
-                return {&of, static_cast<std::uint32_t>(i)};
-            } else {
-                const triangle<T> t = of[i];
-                return {t.a, t.b, t.c};
-            }
-        }
-    };
-
     /// Is any shape of a leaf hit?
     template <std::size_t Kind, class Ray>
     bool meets_any(std::uint32_t block, const Ray& ray, T t_min, T t_max) const {
@@ -291,16 +265,6 @@ private:
             });
             return true;
         });
-    }
-
-    /// The shapes of a member of a group, be it a range or a single one.
-    template <class Member>
-    static auto all_of(const Member& member) {
-        if constexpr (primitive<Member>) {
-            return std::span(&member, 1);
-        } else {
-            return std::span(member);
-        }
     }
 
     /// Calls `visit` with all leaves that the ray may meet.

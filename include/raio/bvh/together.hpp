@@ -20,18 +20,20 @@ std::uint64_t for_each_bundle(std::span<const ray<T>> rays, Answer answer) {
     return all;
 }
 
-/// Are they more than there are lanes?
-template <class T>
-bool may_be_split(std::span<const ray<T>> rays) {
-    return rays.size() > rays_in_lanes<T>::lanes;
-}
-
 /// One bit for each of `count` answers.
 template <class Answer>
 std::uint64_t bits_of(std::size_t count, Answer answer) {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < count; ++i) bits |= std::uint64_t{answer(i)} << i;
     return bits;
+}
+
+/// The answers for rays that do not go together: of two halves, which may run in one octant each, or one by one.
+template <class T, class Part, class One>
+std::uint64_t answer_apart(std::span<const ray<T>> rays, Part part, One one) {
+    if (rays.size() <= rays_in_lanes<T>::lanes) return bits_of(rays.size(), one);
+    const std::size_t half = rays.size() / 2;
+    return part(0, half) | part(half, rays.size() - half) << half;
 }
 
 /// Calls `visit` with all leaves that the rays of a bundle may meet, with one bit for each ray that may, and with a

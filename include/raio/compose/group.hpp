@@ -3,6 +3,7 @@
 #include <raio/push_macros.hpp>
 
 #include <ranges>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -118,9 +119,15 @@ requires(!primitive<Member>) struct primitive_of<Member> {
     using type = std::ranges::range_value_t<Member>;
 };
 
-}  // namespace detail
-
-namespace detail {
+/// The shapes of a member of a group, be it a range or a single one.
+template <class Member>
+auto all_of(const Member& member) {
+    if constexpr (primitive<Member>) {
+        return std::span(&member, 1);
+    } else {
+        return std::span(member);
+    }
+}
 
 /// How many intervals a ray can be inside a member.
 template <class Member>

@@ -166,6 +166,28 @@ struct mesh_triangle {
     };
 };
 
+namespace detail {
+
+/// The triangles of a mesh as shapes of P: by their numbers, or by corners a, b and c; and quick ones of these.
+template <class P>
+struct triangles_as {
+    const mesh<number_t<P>>& of;
+
+    std::size_t size() const { return of.size(); }
+    P operator[](std::size_t i) const {
+        if constexpr (requires { typename P::shape; }) {
+            return {triangles_as<typename P::shape>{of}[i]};
+        } else if constexpr (std::same_as<P, mesh_triangle<number_t<P>>>) {
+            return {&of, static_cast<std::uint32_t>(i)};
+        } else {
+            const auto [a, b, c] = of[i];
+            return {a, b, c};
+        }
+    }
+};
+
+}  // namespace detail
+
 }  // namespace raio::inline RAIO_ABI
 
 #include <raio/pop_macros.hpp>
