@@ -81,21 +81,22 @@ TEST_CASE("crossing_list: what cannot be told from the ray's origin is there") {
 }
 
 TEST_CASE("crossing_list: which roots are wanted for the crossings that are") {
-    const strict_double middle = 3, half = 0.5, error = 0.125;
-    const auto all = roots_for(every_crossing{}, middle, half, error);
+    const bounded_number<strict_double> middle(3, 0.125), known(3, 0);
+    const given_number<strict_double> half{0.5};
+    const auto all = roots_for(every_crossing{}, middle, half);
     CHECK((all.before == -infinity<double> && all.from == infinity<double> && all.to == -infinity<double>));
     for (const bool roughly : {false, true}) {
-        const auto roots = roots_for(first_from<float>{2, 4, roughly}, middle, half, error);
+        const auto roots = roots_for(first_from<float>{2, 4, roughly}, middle, half);
         // t = 2 is at x = -2, but for the error over a half, and t = 4 at 2.
         CHECK((-2.26 < double(roots.before) && double(roots.before) < -2.25));
         CHECK((-1.75 < double(roots.from) && double(roots.from) < -1.74));
         CHECK((roughly ? 1.74 < double(roots.to) && double(roots.to) < 1.75 : double(roots.to) == -infinity<double>));
     }
     // What t rounds to may be 2 if it is a little less.
-    CHECK(double(roots_for(first_from<float>{2, 4, false}, middle, half, strict_double(0)).before) < -2 - 0x1p-24);
-    const auto without_end = roots_for(first_from<float>{0, infinity<float>, true}, middle, half, error);
+    CHECK(double(roots_for(first_from<float>{2, 4, false}, known, half).before) < -2 - 0x1p-24);
+    const auto without_end = roots_for(first_from<float>{0, infinity<float>, true}, middle, half);
     CHECK((double(without_end.from) < -5 && without_end.to == infinity<double>));
-    const auto without_begin = roots_for(first_from<float>{-infinity<float>, 1, false}, middle, half, error);
+    const auto without_begin = roots_for(first_from<float>{-infinity<float>, 1, false}, middle, half);
     CHECK(!(without_begin.before > -infinity<double>));
     CHECK(!(without_begin.from > -infinity<double>));
 }

@@ -28,18 +28,6 @@ struct known_chord {
     Mask is_first;
 };
 
-/// What a shape of two chords answers.
-template <class W, class Wanted>
-struct chords_for {
-    using type = chord_pair<W>;
-};
-template <class W, class Mask>
-struct chords_for<W, known_chord<Mask>> {
-    using type = chord<W>;
-};
-template <class W, class Wanted>
-using chords_for_t = typename chords_for<W, Wanted>::type;
-
 /// Is nothing left to find out: does every lane's line miss, beyond doubt?
 template <class W>
 RAIO_FN constexpr bool missed(const chord<W>& c) {
@@ -125,12 +113,12 @@ RAIO_FN constexpr chord<W> nowhere(const mask_t<W>& certain = mask_t<W>(true)) {
 }
 
 /// The same, whichever it is that is wanted.
-template <class Wanted, class W>
-RAIO_FN constexpr chords_for_t<W, Wanted> nowhere_at_all(const chord<W>& c) {
-    if constexpr (std::same_as<chords_for_t<W, Wanted>, chord<W>>) {
+template <class W, class Wanted>
+RAIO_FN constexpr auto nowhere_at_all(const chord<W>& c, const Wanted& wanted) {
+    if constexpr (requires { wanted.is_first; }) {
         return c;
     } else {
-        return {c, c};
+        return chord_pair<W>{c, c};
     }
 }
 

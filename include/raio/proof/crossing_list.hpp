@@ -126,29 +126,22 @@ RAIO_FN constexpr void keep_if_in_range(const Line& line, crossing_list<W, N>& l
 }
 
 /// Which roots x are wanted, where the crossings wanted are at t = middle + x half.
-/// \param error  of t, besides the error of x times half
 template <class W>
-RAIO_FN constexpr wanted_roots<W> roots_for(const every_crossing&, const W&, const W&, const bound_t<W>&) {
+RAIO_FN constexpr wanted_roots<W> roots_for(const every_crossing&, const bounded_number<W>&, const given_number<W>&) {
     return {};
 }
 template <class W, real T>
-RAIO_FN constexpr wanted_roots<W> roots_for(const first_from<T>& wanted, const W& middle, const W& half,
-                                            const bound_t<W>& error) {
+RAIO_FN constexpr wanted_roots<W> roots_for(const first_from<T>& wanted, const bounded_number<W>& middle,
+                                            const given_number<W>& half) {
     using E = bound_t<W>;
-    const E over_half = E(1) / E(half), in_e(16 * unit_roundoff<E>), in_t(2 * unit_roundoff<T>);
-    const E begin(W(wanted.t_min)), end(W(wanted.t_max)), at = E(middle), off = error + in_e * abs(at);
+    const E over_half = E(1) / E(half.value), in_e(16 * unit_roundoff<E>), in_t(2 * unit_roundoff<T>);
+    const E begin(W(wanted.t_min)), end(W(wanted.t_max)), at(middle.value), off = middle.error + in_e * abs(at);
     const E of_begin = off + in_t * abs(begin), of_end = off + in_t * abs(end);
     wanted_roots<W> roots{(begin - of_begin - at) * over_half - in_e, (begin + of_begin - at) * over_half + in_e};
-    // What 2^-42 of the way leaves open, another precision decides, and it is less than a correction notices.
+    // After such a step a root is known to 2^-42 of the way: what that leaves open, another precision decides.
     if constexpr (std::same_as<W, strict_double>) roots.last_step = E(0x1p-14);
     if (wanted.roughly) roots.to = is_finite(end) ? (end - of_end - at) * over_half - in_e : end;
     return roots;
-}
-
-template <class W, class Wanted>
-RAIO_FN constexpr wanted_roots<W> roots_for(const Wanted& wanted, const bounded_number<W>& middle,
-                                            const given_number<W>& half) {
-    return roots_for(wanted, middle.value, half.value, middle.error);
 }
 
 // What `first_hit` and `any_hit` ask of a list; they find it by its argument.

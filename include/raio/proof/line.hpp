@@ -52,11 +52,8 @@ struct line : shape_numbers<W> {
 
     RAIO_FN constexpr explicit line(const raio::ray<R>& r) : ray(r) {}
 
-    RAIO_FN constexpr given_vector<W> direction() const {
-        return {W(ray.direction.x), W(ray.direction.y), W(ray.direction.z)};
-    }
-
-    RAIO_FN constexpr given_vector<W> origin() const { return {W(ray.origin.x), W(ray.origin.y), W(ray.origin.z)}; }
+    RAIO_FN constexpr given_vector<W> direction() const { return line::given(ray.direction); }
+    RAIO_FN constexpr given_vector<W> origin() const { return line::given(ray.origin); }
 
     /// From the point where t = 0 to p, and the other way.
     template <real T>

@@ -47,7 +47,7 @@ struct line_part {
 
     template <class Wanted>
     RAIO_FN constexpr wanted_roots<W> roots_for(const Wanted& wanted) const {
-        return raio::roots_for(wanted, middle, half, E(0));
+        return raio::roots_for(wanted, bounded_number<W>(middle, E(0)), given_number<W>{half});
     }
 
     RAIO_FN constexpr crossing<W> at(const polynomial_root<W>& root, bool entering) const {

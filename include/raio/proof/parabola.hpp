@@ -133,8 +133,7 @@ RAIO_FN constexpr void move_on(hollow_chord<W>& c, const given_number<W>& place,
 
 /// Where a line is inside both a solid that may be hollow and a convex one.
 template <class W, class Wanted>
-RAIO_FN constexpr chords_for_t<W, Wanted> intersect(const hollow_chord<W>& c, const chord<W>& convex,
-                                                    const Wanted& wanted) {
+RAIO_FN constexpr auto intersect(const hollow_chord<W>& c, const chord<W>& convex, const Wanted& wanted) {
     using E = bound_t<W>;
     const mask_t<W> yes = W(0) == W(0), exists = c.ends.near.exists, certain = c.ends.near.certain;
     // Where the solid is hollow, the line is inside until the near end, and from the far one on.
@@ -142,22 +141,22 @@ RAIO_FN constexpr chords_for_t<W, Wanted> intersect(const hollow_chord<W>& c, co
     E near_error = c.ends.near.error, far_error = c.ends.far.error;
     W begins = select(c.hollow, -end, near), leaves = select(c.hollow, near, far);
     E leaves_error = select(c.hollow, near_error, far_error);
-    if constexpr (std::same_as<chords_for_t<W, Wanted>, chord<W>>) {
+    const auto part = [&](const mask_t<W>& is_there, const mask_t<W>& is_known, const W& from, const E& from_error,
+                          const W& to, const E& to_error) {
+        return intersect(
+            chord<W>{{is_there, is_known, from, from_error, yes}, {is_there, is_known, to, to_error, !yes}}, convex);
+    };
+    if constexpr (requires { wanted.is_first; }) {
         const mask_t<W> is_first = wanted.is_first;
         begins = select(is_first, begins, far), leaves = select(is_first, leaves, end);
         near_error = select(is_first, near_error, far_error);
-        return intersect(
-            chord<W>{{exists, certain, begins, near_error, yes}, {exists, certain, leaves, leaves_error, !yes}},
-            convex);
+        return part(exists, certain, begins, near_error, leaves, leaves_error);
     } else {
         if constexpr (std::same_as<mask_t<W>, bool>) {  // of many lanes some are hollow
-            if (!c.hollow) return {intersect(c.ends, convex), nowhere<W>(yes)};
+            if (!c.hollow) return chord_pair<W>{intersect(c.ends, convex), nowhere<W>(yes)};
         }
-        const mask_t<W> again = every(c.hollow, exists), known = some(!c.hollow, certain);
-        return {intersect(
-                    chord<W>{{exists, certain, begins, near_error, yes}, {exists, certain, leaves, leaves_error, !yes}},
-                    convex),
-                intersect(chord<W>{{again, known, far, far_error, yes}, {again, known, end, far_error, !yes}}, convex)};
+        return chord_pair<W>{part(exists, certain, begins, near_error, leaves, leaves_error),
+                             part(every(c.hollow, exists), some(!c.hollow, certain), far, far_error, end, far_error)};
     }
 }
 

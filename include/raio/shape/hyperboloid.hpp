@@ -46,7 +46,7 @@ RAIO_FN constexpr auto cross_hyperboloid(const vec3<T>& base, const vec3<T>& top
     auto endless =
         cross_quadric(line.direction(), line.to_middle(base, top), line.between(base, top), side, line.given(radius));
     if constexpr (Closed) {
-        if (missed(endless)) return nowhere_at_all<Wanted>(endless.ends);
+        if (missed(endless)) return nowhere_at_all(endless.ends, wanted);
         auto parts = intersect(endless, cross_cap_planes(base, top, line), wanted);
         keep_if_in_range<T>(line, parts);  // no point beyond the largest number
         return parts;

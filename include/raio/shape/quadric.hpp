@@ -57,14 +57,14 @@ struct quadric {
         return times(p) * W(2) + vec3<W>(linear);
     }
 
-    template <class Line, class Wanted = every_crossing, class W = typename Line::number>
-    RAIO_FORMULA constexpr std::conditional_t<Closed, chords_for_t<W, Wanted>, chord<W>> crossings(
-        const Line& line, [[maybe_unused]] const Wanted& wanted = {}) const {
+    template <class Line, class Wanted = every_crossing>
+    RAIO_FORMULA constexpr auto crossings(const Line& line, [[maybe_unused]] const Wanted& wanted = {}) const {
+        using W = typename Line::number;
         auto clip = box<T>{min, max}.crossings(line);
         const index_t<W> first_of_box(1);
         clip.near.face = clip.near.face + first_of_box, clip.far.face = clip.far.face + first_of_box;
         if constexpr (Closed) {
-            if (missed(clip)) return nowhere_at_all<Wanted>(clip);
+            if (missed(clip)) return nowhere_at_all(clip, wanted);
             return intersect(cross_endless(line), clip, wanted);
         } else {
             if (missed(clip)) return clip;
