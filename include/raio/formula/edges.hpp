@@ -3,7 +3,6 @@
 #include <raio/push_macros.hpp>
 
 #include <raio/proof/line.hpp>
-#include <raio/proof/normal.hpp>
 #include <raio/proof/settle.hpp>
 
 /// \file
@@ -150,14 +149,28 @@ RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, 
     }
 }
 
-/// What a flat shape between two such edges records of a point.
-/// \param corners  the box around it
+/// What a flat shape between two such edges records of a point. Where a double has no digits to spare for the normal,
+/// of a sliver, or of what is seen edge-on, it is found with more. \param corners  the box around it \param edge
+/// answers with the first or the second one in the precision of its argument
 template <class Point, real T, class Edge>
 RAIO_FN constexpr void flat_surface(Point& at, const aabb<T>& corners, Edge edge) {
     using W = typename Point::number;
     at.record_point();
     at.keep_between(corners);
-    at.record_normal(normal_of_edges<T, W>(edge, at.direction()));
+    const auto across = [&]<class V>(V number) {
+        return cross(scaled_into_range<T>(edge(number, 0)), scaled_into_range<T>(edge(number, 1)));
+    };
+    vec3<W> normal = across(W(0));
+    if constexpr (detail::lacks_digits<T, W>) {
+        const auto size = [](const vec3<W>& v) { return norm1(vec3<bound_t<W>>(v)); };
+        const vec3<W> direction = at.direction();
+        const bound_t<W> sizes = size(scaled_into_range<T>(edge(W(0), 0))) * size(scaled_into_range<T>(edge(W(0), 1)));
+        const bound_t<W> across_ray = abs(bound_t<W>(dot(normal, direction))), few(0x1p-20);
+        const mask_t<W> thin = some(size(normal) < few * sizes, across_ray < few * size(normal) * size(direction));
+        if (any(thin)) [[unlikely]]
+            normal = select(thin, vec3<W>(scaled_into_range<T>(across(exact_t<T>(0)))), normal);
+    }
+    at.record_normal(normal);
 }
 
 }  // namespace raio::inline RAIO_ABI

@@ -5,7 +5,7 @@
 #include <raio/proof/record.hpp>
 
 /// \file
-/// What is recorded where few digits are left of a normal: close to an apex, on slivers, beside folds.
+/// What is recorded where few digits are left of a normal: close to an apex, beside folds.
 
 namespace raio::inline RAIO_ABI {
 
@@ -53,26 +53,6 @@ RAIO_FN constexpr auto is_close_to_axis(const Point& at, const vec3<T>& base, co
     const vec3<W> from_base = at.from(base);
     const E size = norm1(vec3<E>(axis)), farthest = norm1(vec3<E>(from_base)) + size * E(W(reach));
     return norm1(vec3<E>(cross(from_base, axis))) < E(0x1p-8) * size * farthest;
-}
-
-/// Across two edges, of any length. Where a double has no digits to spare, those of a sliver, or of what is seen
-/// edge-on, are found with more.
-/// \param edge  answers with the first or the second one in the precision of its argument
-template <real T, class W, class Edge>
-RAIO_FN constexpr vec3<W> normal_of_edges(Edge edge, [[maybe_unused]] const vec3<W>& direction) {
-    const auto across = [&]<class V>(V number) {
-        return cross(scaled_into_range<T>(edge(number, 0)), scaled_into_range<T>(edge(number, 1)));
-    };
-    vec3<W> normal = across(W(0));
-    if constexpr (detail::lacks_digits<T, W>) {
-        const auto size = [](const vec3<W>& v) { return norm1(vec3<bound_t<W>>(v)); };
-        const bound_t<W> sizes = size(scaled_into_range<T>(edge(W(0), 0))) * size(scaled_into_range<T>(edge(W(0), 1)));
-        const bound_t<W> across_ray = abs(bound_t<W>(dot(normal, direction))), few(0x1p-20);
-        const mask_t<W> thin = some(size(normal) < few * sizes, across_ray < few * size(normal) * size(direction));
-        if (any(thin)) [[unlikely]]
-            normal = select(thin, vec3<W>(scaled_into_range<T>(across(exact_t<T>(0)))), normal);
-    }
-    return normal;
 }
 
 /// Is what is left of a sum no more than a few thousand roundings of its terms?

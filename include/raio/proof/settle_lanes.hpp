@@ -22,35 +22,29 @@ namespace detail {
 /// in `open` may do anything.
 template <class T>
 struct sifted {
-    mask_t<T> sure, open{};
+    mask_t<T> sure, open;
     T low, high;
     mask_t<T> at_near{true};   ///< of the two of a chord, is it the near one?
     mask_t<T> in_first{true};  ///< of two chords, is it of the first?
-    mask_t<T> beyond{false};   ///< known to be beyond the window
-    mask_t<T> passed{false};   ///< known to be before it, or not at all
 };
 
-/// What is known of the first of two or, where that is passed, of the one that comes next.
+/// Between which numbers the exact t of a crossing comes to lie once it is rounded to T, and where that is.
 template <class T>
-RAIO_FN sifted<T> or_next(const sifted<T>& a, const sifted<T>& b) {
-    const auto either = [&](const mask_t<T>& x, const mask_t<T>& y) { return some(x, every(a.passed, y)); };
-    return {.sure = either(a.sure, b.sure),
-            .low = select(a.passed, b.low, a.low),
-            .high = select(a.passed, b.high, a.high),
-            .at_near = either(every(!a.passed, a.at_near), b.at_near),
-            .beyond = either(a.beyond, b.beyond),
-            .passed = every(a.passed, b.passed)};
-}
+struct rounded_crossing {
+    T low, high;
+    mask_t<T> inside, beyond;  ///< known to be in the window, or beyond it
+    mask_t<T> passed;          ///< known to be before it, or not at all
+    mask_t<T> at_near{true}, in_first{true};
+};
 
-/// What packs of floats know of a crossing, or of the first in the window of several: between which numbers the exact t
-/// comes to lie once it is rounded to T, and where that is.
+/// What packs of floats know of a crossing, or of the first in the window of several.
 template <class T, class W>
-RAIO_FN sifted<T> sift_rounded(const crossing<W>& c, const T& t_min, const T& t_max) {
+RAIO_FN rounded_crossing<T> rounded(const crossing<W>& c, const T& t_min, const T& t_max) {
     const mask_t<T> certain = c.certain, exists = c.exists;
     if constexpr (is_believed<W>) {
         const T t(c.t);
         const mask_t<T> inside = every(exists, t_min <= t, t <= t_max), beyond = every(exists, t_max < t);
-        return {.sure = inside, .low = t, .high = t, .beyond = beyond, .passed = !some(inside, beyond)};
+        return {t, t, inside, beyond, !some(inside, beyond)};
     }
     mask_t<T> known = every(certain, exists);
     bound_t<W> error = c.error;
@@ -61,22 +55,31 @@ RAIO_FN sifted<T> sift_rounded(const crossing<W>& c, const T& t_min, const T& t_
         known = every(known, mask_t<T>(abs(c.t) < W(0.25 * std::numeric_limits<double>::max())));
     }
     const T low(c.t - error), high(c.t + error);
-    const mask_t<T> inside = every(known, t_min <= low, high <= t_max), beyond = every(known, t_max < low);
-    const mask_t<T> passed = some(every(known, high < t_min), every(certain, !exists));
-    return {.sure = inside, .low = low, .high = high, .beyond = beyond, .passed = passed};
+    return {low, high, every(known, t_min <= low, high <= t_max), every(known, t_max < low),
+            some(every(known, high < t_min), every(certain, !exists))};
 }
+
+/// Of two, the first or, where that is passed, the one that comes next.
+template <class T>
+RAIO_FN rounded_crossing<T> or_next(const rounded_crossing<T>& a, const rounded_crossing<T>& b) {
+    const auto either = [&](const mask_t<T>& x, const mask_t<T>& y) { return some(x, every(a.passed, y)); };
+    return {select(a.passed, b.low, a.low), select(a.passed, b.high, a.high),
+            either(a.inside, b.inside),     either(a.beyond, b.beyond),
+            every(a.passed, b.passed),      either(every(!a.passed, a.at_near), b.at_near)};
+}
+
 /// (The chord of a tube without caps may have a far end only.)
 template <class T, class W>
-RAIO_FN sifted<T> sift_rounded(const chord<W>& c, const T& t_min, const T& t_max) {
-    const sifted<T> near = sift_rounded(c.near, t_min, t_max);
-    sifted<T> found = or_next(near, sift_rounded(c.far, t_min, t_max));
+RAIO_FN rounded_crossing<T> rounded(const chord<W>& c, const T& t_min, const T& t_max) {
+    const rounded_crossing<T> near = rounded(c.near, t_min, t_max);
+    rounded_crossing<T> found = or_next(near, rounded(c.far, t_min, t_max));
     found.at_near = !near.passed;
     return found;
 }
 template <class T, class W>
-RAIO_FN sifted<T> sift_rounded(const chord_pair<W>& c, const T& t_min, const T& t_max) {
-    const sifted<T> first = sift_rounded(c.first, t_min, t_max);
-    sifted<T> found = or_next(first, sift_rounded(c.second, t_min, t_max));
+RAIO_FN rounded_crossing<T> rounded(const chord_pair<W>& c, const T& t_min, const T& t_max) {
+    const rounded_crossing<T> first = rounded(c.first, t_min, t_max);
+    rounded_crossing<T> found = or_next(first, rounded(c.second, t_min, t_max));
     found.in_first = !first.passed;
     return found;
 }
@@ -90,9 +93,8 @@ RAIO_FN sifted<T> sift(const Found<W>& found, const T& t_min, const T& t_max) {
         const T t(first.t);
         return {every(known, first.exists), !known, t, t};
     } else {
-        sifted<T> first = sift_rounded(found, t_min, t_max);
-        first.open = !some(first.sure, first.beyond, first.passed);
-        return first;
+        const rounded_crossing<T> is = rounded(found, t_min, t_max);
+        return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high, is.at_near, is.in_first};
     }
 }
 
