@@ -150,8 +150,9 @@ RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, 
 }
 
 /// What a flat shape between two such edges records of a point. Where a double has no digits to spare for the normal,
-/// of a sliver, or of what is seen edge-on, it is found with more. \param corners  the box around it \param edge
-/// answers with the first or the second one in the precision of its argument
+/// as on a sliver, or where the shape is seen edge-on, the normal is found with more.
+/// \param corners  the box around it
+/// \param edge     answers with the first or the second one in the precision of its argument
 template <class Point, real T, class Edge>
 RAIO_FN constexpr void flat_surface(Point& at, const aabb<T>& corners, Edge edge) {
     using W = typename Point::number;

@@ -17,8 +17,8 @@ struct differentiated {
 };
 
 /// b - sqrt(s) and b + sqrt(s), where one of them has an extremum at u, or u is known exactly: at an extremum a
-/// function changes no faster than with the square of what the place is off by. \param minus_s  -s; where s is below
-/// zero, or may be, its root counts as zero
+/// function changes no faster than with the square of what the place is off by.
+/// \param minus_s  -s; where s is below zero, or may be, its root counts as zero
 template <class W, std::size_t N, std::size_t M>
 RAIO_FN constexpr root_pair<W> extremes_near(const differentiated<W, N>& b, const differentiated<W, M>& minus_s,
                                              const bounded_number<W>& u) {
