@@ -99,7 +99,9 @@ RAIO_FN constexpr aabb<T> axial_bounds(const vec3<T>& base, const vec3<T>& top, 
     return unless_nan(padded(hull(aabb<T>{base - low, base + low}, aabb<T>{top - high, top + high})), radii.x, radii.y);
 }
 
-/// The point at this height, which is 0 at the base and 1 at the top, and at the distance rho from the axis.
+/// The point at the distance rho from the axis.
+/// \param turn    the angle about the axis, in turns
+/// \param height  0 at the base, 1 at the top
 /// \param normal  away from the axis and along it, of any length
 template <real T>
 RAIO_FN constexpr surface_sample<T> point_about_axis(const vec3<T>& base, const vec3<T>& top, const T& turn,

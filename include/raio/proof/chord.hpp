@@ -130,7 +130,7 @@ RAIO_FN constexpr chord<W> everywhere() {
     return {{yes, yes, -infinity<W>, none, yes}, {yes, yes, infinity<W>, none, !yes}};
 }
 
-/// Lets a chord begin nowhere, end nowhere, or neither, in these lanes.
+/// Lets a chord begin nowhere, or end nowhere, in these lanes.
 template <class W>
 RAIO_FN constexpr void begin_never_where(const mask_t<W>& where, chord<W>& c) {
     c.near.t = select(where, W(-infinity<W>), c.near.t), c.near.error = select(where, bound_t<W>(0), c.near.error);
@@ -138,10 +138,6 @@ RAIO_FN constexpr void begin_never_where(const mask_t<W>& where, chord<W>& c) {
 template <class W>
 RAIO_FN constexpr void end_never_where(const mask_t<W>& where, chord<W>& c) {
     c.far.t = select(where, W(infinity<W>), c.far.t), c.far.error = select(where, bound_t<W>(0), c.far.error);
-}
-template <class W>
-RAIO_FN constexpr void keep_going_where(const mask_t<W>& where, chord<W>& c) {
-    begin_never_where(where, c), end_never_where(where, c);
 }
 
 /// A chord, unless the line is parallel to what it ends at: then all of the line is inside, or nothing.
@@ -155,7 +151,7 @@ RAIO_FN constexpr chord<W> unless_parallel(const verdict<mask_t<W>>& parallel, c
         end.certain = every(known, some(along, end.certain));
     };
     put(c.near), put(c.far);
-    keep_going_where(along, c);
+    begin_never_where(along, c), end_never_where(along, c);
     return c;
 }
 

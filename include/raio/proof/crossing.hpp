@@ -10,8 +10,7 @@
 /// Where a ray's line crosses a surface, and how sure that is.
 ///
 /// A shape writes its formula once, for a number type W, and says with each crossing how large the rounding errors of W
-/// can have become: proof/settle.hpp makes an answer of that. The ray's numbers are the shape's, or have more digits:
-/// those of a ray that was mapped.
+/// can have become: proof/settle.hpp makes an answer of that.
 ///
 /// The local variables of class type here and in the shapes are not const: GCC keeps a const aggregate in memory, where
 /// every step waits for the one before to be stored.

@@ -71,13 +71,6 @@ RAIO_FN constexpr vec3<Q> mirrored_against(const vec3<Q>& outward, const vec3<Q>
 
 namespace detail {
 
-/// The same crossing in a wider precision.
-template <class X, class W>
-RAIO_FN constexpr crossing<X> in_more_digits(const crossing<W>& c) {
-    const auto wider = [](const W& x) { return X(bound_t<X>(x)); };
-    return {c.exists, c.certain, wider(c.t), bound_t<X>(c.error), c.entering, c.face, wider(c.u), wider(c.v), c.shared};
-}
-
 /// A shape that asks for more digits than T has, close to a tip.
 template <class Shape, class At>
 concept has_tips = requires(const Shape shape, const At at) {
@@ -90,9 +83,13 @@ RAIO_FN constexpr void record_crossing(const Shape& shape, const Ray& ray, const
 
 /// The same with all digits that there are. Close to a tip only, so that it is out of line.
 template <class Shape, class Ray, class W, record Record>
-RAIO_RARELY RAIO_FN constexpr void record_closer(const Shape& shape, const Ray& ray, const crossing<W>& crossing,
+RAIO_RARELY RAIO_FN constexpr void record_closer(const Shape& shape, const Ray& ray, const crossing<W>& c,
                                                  Record& rec) {
-    record_crossing(shape, ray, in_more_digits<exact_t<typename Shape::number>>(crossing), rec);
+    using X = exact_t<typename Shape::number>;
+    const auto wider = [](const W& x) { return X(bound_t<X>(x)); };
+    const crossing<X> same{c.exists,   c.certain,  wider(c.t), bound_t<X>(c.error), c.entering, c.face,
+                           wider(c.u), wider(c.v), c.shared};
+    record_crossing(shape, ray, same, rec);
 }
 
 template <class Shape, class Ray, class W, record Record>

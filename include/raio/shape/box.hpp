@@ -110,13 +110,13 @@ private:
     /// The chord of the points between two faces, low <= x <= high, from what the ray has of x, in the last precision.
     /// A line that runs along them is between them everywhere or nowhere. That is asked of the origin, and not of a
     /// quotient: 0 / 0 would answer neither. So is a line that would take more than W can say to cross anything.
-    template <class W>
-    RAIO_FN static constexpr chord<W> between_faces(const T& origin, const T& direction, const T& low, const T& high,
+    template <class W, real R>
+    RAIO_FN static constexpr chord<W> between_faces(const R& origin, const R& direction, const T& low, const T& high,
                                                     const index_t<W>& face) {
         using E = bound_t<W>;
         const W over_d = quotient(W(1), W(direction), W(0)), inf = infinity<W>;
-        if (direction == T(0) || !is_finite(over_d)) {
-            return low <= origin && origin <= high ? everywhere<W>() : nowhere<W>();
+        if (direction == R(0) || !is_finite(over_d)) {
+            return R(low) <= origin && origin <= R(high) ? everywhere<W>() : nowhere<W>();
         }
         const auto way_to = [&](const T& x) {
             const W way = difference_as<W>(x, origin), t = way * over_d;
