@@ -97,6 +97,12 @@ struct hit {
     }
 };
 
+/// Does it fill any record? What calls a function that is known at run time only fills raio's own.
+template <class Shape, class T = raio::number_t<Shape>>
+concept fills_any_record = requires(const Shape& shape, const raio::ray<T>& ray, peers::record<T>& rec) {
+    shape.hit(ray, T(0), T(1), rec);
+};
+
 /// The same, and of the hit what textbooks find.
 template <class Shape>
 struct record_hit {
@@ -260,7 +266,9 @@ void add(const std::string& shape_name, MakeShape make_shape) {
             add_as(Contender::name, measure<Contender, Shape>);
         };
         add_one(std::type_identity<hit<Shape>>{});
-        add_one(std::type_identity<record_hit<Shape>>{});
+        if constexpr (fills_any_record<Shape>) {
+            add_one(std::type_identity<record_hit<Shape>>{});
+        }
         add_one(std::type_identity<occluded<Shape>>{});
         if constexpr (raio::detail::has_plain_formula<Shape>) {
             add_one(std::type_identity<quick_hit<Shape>>{});
