@@ -44,18 +44,21 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<R>& 
     const auto exact_shape = converted<oracle>(shape);
     const raio::ray<oracle> exact_ray{exactly(ray.origin), exactly(ray.direction)};
     std::vector crossings = all_crossings<oracle>(exact_shape, exact_ray);
-    oracle shape_size = 0;
+    if (crossings.empty()) return crossings;
+    using bound = bound_t<oracle>;
+    bound shape_size = 0;
     if constexpr (bounded<Shape>) {
         const aabb<number_t<Shape>> box = shape.bounds();
-        const oracle size = norm1(vec3<oracle>(vec3<oracle>(box.max) - vec3<oracle>(box.min)));
-        if (isfinite(size)) shape_size = size;
+        const bound size = norm1(vec3<bound>(vec3<bound>(box.max) - vec3<bound>(box.min)));
+        if (std::isfinite(size)) shape_size = size;
     }
-    const auto add_errors = [&](std::vector<crossing<oracle>>& found, double part) {
+    const vec3<bound> origin(exact_ray.origin), direction(exact_ray.direction);
+    const bound in_directions = 1 / length(direction);
+    const auto add_errors = [&](std::vector<crossing<oracle>>& found, bound part) {
         for (crossing<oracle>& c : found) {
-            const oracle way = norm1(exact_ray.origin) + norm1(exact_ray.direction) * abs(c.t);
+            const bound way = norm1(origin) + norm1(direction) * std::abs(bound(c.t));
             // Of a tangent half of the 46 digits are known, but one.
-            c.error = bound_t<oracle>((shape_size + way) * std::max(part, c.certain ? 0 : 1e-22) /
-                                      length(exact_ray.direction));
+            c.error = (shape_size + way) * std::max(part, c.certain ? 0 : bound(1e-22)) * in_directions;
         }
     };
     add_errors(crossings, 1e-46);
@@ -96,41 +99,53 @@ bool in_window(const probe<Shape>& p, number_t<Shape> t) {
     return p.t_min <= t && t <= p.t_max && std::isfinite(t);
 }
 
-/// What is recorded of a crossing, and how far that is said to be off, but for the rounding to the shape's numbers.
-struct recorded_crossing {
-    oracle t, error;
-};
-
-/// All that can be recorded along the line.
-template <class Shape, class R>
-std::vector<recorded_crossing> recorded_crossings(const Shape& shape, const ray<R>& ray) {
+/// How far what is recorded along a line is said to be off, but for the rounding to the shape's numbers. It is computed
+/// when it is asked for: most rays ask for none of it.
+template <class Shape>
+class stated_errors {
     using T = number_t<Shape>;
-    using namespace detail;
-    std::vector<recorded_crossing> all;
-    const auto exact = [&] { return shape.crossings(line_in<double_double>(ray)); };
-    const auto add = [&](const auto& c) {
-        if (c.exists) all.push_back({exactly(c.t), exactly(c.error)});
-        return false;
-    };
-    if constexpr (keeps_all_digits<T>) {
-        visit_recorded<T>(shape.crossings(line_in<working_t<T>>(ray)), exact, add);
-    } else {
-        const auto found = exact();
-        for (const auto& c : in_order(found)) add(c);
-    }
-    return all;
-}
 
-/// The error that is stated of the recorded crossing that is nearest to t.
-inline oracle stated_error(const std::vector<recorded_crossing>& recorded, const oracle& t) {
-    oracle least = infinity<oracle>, error = 0, covering = 0;
-    for (const recorded_crossing& c : recorded) {
-        const oracle apart = abs(c.t - t);
-        if (apart < least) least = apart, error = c.error;
-        if (apart <= c.error) covering = max(covering, oracle(c.error));  // beside a tip it may be either's
+public:
+    stated_errors(const Shape& shape, const ray<T>& ray) : shape_(shape), ray_(ray) {}
+
+    /// The error that is stated of the recorded crossing that is nearest to t.
+    oracle at(const oracle& t) {
+        if (!is_known_) record_all();
+        oracle least = infinity<oracle>, error = 0, covering = 0;
+        for (const recorded& c : all_) {
+            const oracle apart = abs(c.t - t);
+            if (apart < least) least = apart, error = c.error;
+            if (apart <= c.error) covering = max(covering, oracle(c.error));  // beside a tip it may be either's
+        }
+        return max(error, covering);
     }
-    return max(error, covering);
-}
+
+private:
+    struct recorded {
+        oracle t, error;
+    };
+
+    void record_all() {
+        using namespace detail;
+        is_known_ = true;
+        const auto exact = [&] { return shape_.crossings(line_in<double_double>(ray_)); };
+        const auto add = [&](const auto& c) {
+            if (c.exists) all_.push_back({exactly(c.t), exactly(c.error)});
+            return false;
+        };
+        if constexpr (keeps_all_digits<T>) {
+            visit_recorded<T>(shape_.crossings(line_in<working_t<T>>(ray_)), exact, add);
+        } else {
+            const auto found = exact();
+            for (const auto& c : in_order(found)) add(c);
+        }
+    }
+
+    const Shape& shape_;
+    const ray<T>& ray_;
+    std::vector<recorded> all_;
+    bool is_known_ = false;
+};
 
 /// The normal of the crossing, as the shape records it.
 template <class Shape>
@@ -198,8 +213,14 @@ double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec,
     const vec3<oracle> normal = exact_normal(shape, exact_ray, crossing), error(rec.error);
     const double off = rounded<double>(length(normal - vec3<oracle>(rec.normal))) - 4 * unit_roundoff<T>;
     if (!(off > 0) || !crossing.certain || crossing.shared) return 0;
-    double explained = 0;
-    for (int i = 0; i < 4 * 27 && explained < off; ++i) {
+    double explained = 0, of_input = 0;
+    const auto is_explained = [&] { return explained + of_input >= off; };
+    const auto ask_for_input = [&] {
+        if (!detail::keeps_all_digits<T> || is_explained()) return;
+        const auto is_enough = [&](const change_of_crossing& c) { return explained + c.of_normal >= off; };
+        of_input = changes_of_input(p, crossing, is_enough).of_normal;
+    };
+    for (int i = 0; i < 4 * 27 && !is_explained(); ++i) {
         const oracle part(std::ldexp(1.0, -10 * (i / 27)));
         ray<oracle> moved = exact_ray;
         moved.origin += error * part * vec3<oracle>(i % 3 - 1, i / 3 % 3 - 1, i / 9 % 3 - 1);
@@ -211,13 +232,11 @@ double normal_off(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec,
             explained = std::max(explained, 2 * rounded<double>(change));  // others of its directions may turn more
         };
         explain_by(crossing);
-        if (explained < off) std::ranges::for_each(all_crossings<oracle>(shape, moved), explain_by);
+        if (!is_explained()) std::ranges::for_each(all_crossings<oracle>(shape, moved), explain_by);
+        if (i == 0 && explained == 0) ask_for_input();  // in a plane, whose normal is off by what its numbers are
     }
-    if (detail::keeps_all_digits<T> && explained < off) {
-        const auto is_enough = [&](const change_of_crossing& c) { return explained + c.of_normal >= off; };
-        explained += changes_of_input(p, crossing, is_enough).of_normal;
-    }
-    return std::max(off - explained, 0.0);
+    if (of_input == 0) ask_for_input();
+    return std::max(off - explained - of_input, 0.0);
 }
 
 /// May floats ask for more digits than two doubles have? Products do if some of the ray's numbers are less than a
@@ -236,8 +255,9 @@ bool asks_for_more_digits(const probe<Shape>& p) {
                                [&](const auto& c) { return abs(exactly(c.t)) < close; });
 }
 
-/// How far t has been off, in units of its last place.
+/// How many rays hit, how many of their points were vague, and how far t has been off, in units of its last place.
 struct worst_errors {
+    int hits = 0, vague = 0;
     double beyond_stated = 0;  ///< that much more than is stated
     double beyond_input = 0;   ///< that much more than roundings of the numbers given make of it, where 2^12 are stated
 };
@@ -255,18 +275,18 @@ bool is_vague(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec) {
 /// an ulp by as much as is stated, and that of a float's by what double_double says if it asks for more digits.
 template <class Shape>
 std::string difference(const probe<Shape>& p, const hit_record<number_t<Shape>>& rec, const crossing<oracle>& crossing,
-                       const std::vector<recorded_crossing>& recorded, worst_errors& worst) {
+                       stated_errors<Shape>& errors, worst_errors& worst) {
     using T = number_t<Shape>;
     const oracle exact_t = crossing.t, error_of_t = abs(oracle(rec.t) - exact_t);
     const T best = rounded<T>(exact_t), ulp = std::nextafter(std::abs(best), infinity<T>) - std::abs(best);
     const bool has_all_digits = rec.t == best || (std::same_as<T, float> && !asks_for_more_digits(p));
-    const oracle stated = has_all_digits ? oracle(0) : stated_error(recorded, oracle(rec.t));
+    const oracle stated = has_all_digits ? oracle(0) : errors.at(oracle(rec.t));
     const oracle allowed = stated + crossing.error;
     if (error_of_t > allowed + abs(oracle(best) - exact_t)) return "t = " + literal(rec.t) + " for " + literal(best);
     worst.beyond_stated = std::max(worst.beyond_stated, rounded<double>((error_of_t - allowed) / ulp));
-    const bool well_known = crossing.certain && stated_error(recorded, oracle(rec.t)) < oracle(0x1p12) * ulp;
     const auto unexplained = [&](const oracle& of_input) { return rounded<double>((error_of_t - of_input) / ulp); };
-    if (well_known && unexplained(oracle(0)) > worst.beyond_input) {
+    const auto is_well_known = [&] { return errors.at(oracle(rec.t)) < oracle(0x1p12) * ulp; };
+    if (crossing.certain && unexplained(oracle(0)) > worst.beyond_input && is_well_known()) {
         const auto is_enough = [&](const change_of_crossing& c) { return unexplained(c.of_t) <= worst.beyond_input; };
         const bool is_much = error_of_t > 4 * oracle(ulp);
         const oracle of_input = is_much ? changes_of_input(p, crossing, is_enough).of_t : oracle(0);
@@ -292,19 +312,21 @@ std::string difference(const probe<Shape>& p, const hit_record<number_t<Shape>>&
 template <class Shape>
 std::string inexactness(const probe<Shape>& p, worst_errors& worst) {
     using T = number_t<Shape>;
-    const std::vector recorded = recorded_crossings(p.shape, p.ray);
+    stated_errors<Shape> errors(p.shape, p.ray);
     hit_record<T> rec{};
     const bool hit = p.hit(rec);
+    worst.hits += hit, worst.vague += hit && is_vague(p, rec);
     std::string wrong;
     bool compared = false;
     for (const crossing<oracle>& c : exact_crossings(p.shape, p.ray)) {
-        const oracle off = c.error + (detail::keeps_all_digits<T> ? stated_error(recorded, c.t) : oracle(0));
+        if (!c.exists) continue;
+        const oracle off = c.error + (detail::keeps_all_digits<T> ? errors.at(c.t) : oracle(0));
         const T low = rounded<T>(c.t - off), high = rounded<T>(c.t + off);
-        if (!c.exists || !(low <= p.t_max && p.t_min <= high && std::isfinite(rounded<T>(c.t)))) continue;
+        if (!(low <= p.t_max && p.t_min <= high && std::isfinite(rounded<T>(c.t)))) continue;
         const bool counts = p.t_min <= low && high <= p.t_max;
         if (hit) {
             compared = true;
-            wrong = difference(p, rec, c, recorded, worst);
+            wrong = difference(p, rec, c, errors, worst);
             if (wrong.empty() || counts) return wrong;
         } else if (counts) {
             return "false miss, t = " + literal(rounded<T>(c.t));
@@ -343,9 +365,9 @@ std::string unlike_the_other_way(const probe<Shape>& p) {
     const T last = hit ? -rec.t : -infinity<T>;
     T low = last, high = last;
     if constexpr (detail::keeps_all_digits<T>) {
-        const oracle off =
-            stated_error(recorded_crossings(p.shape, p.ray), oracle(last)) +
-            stated_error(recorded_crossings(p.shape, ray<T>{p.ray.origin, -p.ray.direction}), oracle(rec.t));
+        const ray<T> back{p.ray.origin, -p.ray.direction};
+        stated_errors<Shape> errors(p.shape, p.ray), errors_back(p.shape, back);
+        const oracle off = hit ? oracle(errors.at(oracle(last)) + errors_back.at(oracle(rec.t))) : oracle(0);
         if (hit && isfinite(off)) low = rounded<T>(last - off), high = std::min(rounded<T>(last + off), T(0));
     }
     const probe<Shape> there{p.shape, p.ray, low, high},
@@ -392,24 +414,22 @@ template <class Shape>
 void check_accuracy(int rays, double excusable_doubles = 1e-3, double ordinary_ulp = 4) {
     using T = number_t<Shape>;
     const double excusable = std::same_as<T, float> ? 1e-4 : excusable_doubles;
-    int hits = 0, vague = 0, excused = 0;
+    int excused = 0;
     worst_errors worst;
     for_random_probes<Shape>("as exact arithmetic", rays, [&](const probe<Shape>& p, random_numbers&) -> std::string {
-        hits += p.shape.occluded(p.ray, p.t_min, p.t_max);
-        hit_record<T> rec{};
-        vague += p.hit(rec) && is_vague(p, rec);
         const std::string wrong = inexactness(p, worst) + unlike_the_other_way(p);
         if (wrong.empty() || !is_excused(p)) return wrong;
         ++excused;
         return "";
     });
-    MESSAGE(rays << " rays, " << hits << " hits, t off by up to " << worst.beyond_stated
-                 << " ulp more than stated, than the numbers given explain by " << worst.beyond_input << ", " << vague
-                 << " points vague, undecided: " << excused);
+    MESSAGE(rays << " rays, " << worst.hits << " hits, t off by up to " << worst.beyond_stated
+                 << " ulp more than stated, than the numbers given explain by " << worst.beyond_input << ", "
+                 << worst.vague << " points vague, undecided: " << excused);
     CHECK(worst.beyond_input <= ordinary_ulp);
-    CHECK(hits > rays / 20);
+    CHECK(worst.hits > rays / 20);
     const double may_be_vague = detail::keeps_all_digits<T> ? 0.4 : 0.2;
-    CHECK(vague < with_chance(hits * may_be_vague));  // most are of doubles and of rays that run all but in a plane
+    CHECK(worst.vague <
+          with_chance(worst.hits * may_be_vague));  // most are of doubles and of rays that run all but in a plane
     CHECK(excused < with_chance(rays * excusable));
     using exact_shape = decltype(converted<oracle>(std::declval<Shape>()));
     if constexpr (requires(exact_shape s, vec3<oracle> p) { subject<exact_shape>::distance(s, p); }) {

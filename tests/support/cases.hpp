@@ -45,8 +45,8 @@ void check_cases(const std::vector<named_case<Shape>>& cases) {
             // Of a double, t is right to the error that is stated.
             const T t = static_cast<T>(c.expected.t);
             if constexpr (detail::keeps_all_digits<T>) {
-                const oracle off = stated_error(recorded_crossings(p.shape, p.ray), oracle(t));
-                CHECK(abs(oracle(rec.t) - oracle(t)) <= off);
+                stated_errors<Shape> errors(p.shape, p.ray);
+                CHECK(abs(oracle(rec.t) - oracle(t)) <= errors.at(oracle(t)));
             } else {
                 CHECK(rec.t == t);
             }

@@ -2,10 +2,12 @@
 
 #include <mpfr.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <new>
 
 namespace raio::test {
@@ -20,6 +22,15 @@ struct stored {
     static mpfr_ptr in(oracle& x) { return &std::launder(reinterpret_cast<stored*>(x.number_.data()))->number; }
     static mpfr_srcptr in(const oracle& x) {
         return &std::launder(reinterpret_cast<const stored*>(x.number_.data()))->number;
+    }
+
+    /// A regular number by its highest digits, the first of which is not zero.
+    static void set(oracle& x, bool is_negative, std::uint64_t digits, int exponent) {
+        stored& made = *std::launder(reinterpret_cast<stored*>(x.number_.data()));
+        made.digits = {};
+        made.digits.back() = digits;
+        mpfr_custom_init_set(&made.number, is_negative ? -MPFR_REGULAR_KIND : MPFR_REGULAR_KIND, exponent,
+                             limits::digits, made.digits.data());
     }
 
     /// What the operation of MPFR makes of these, rounded.
@@ -49,13 +60,20 @@ oracle::oracle(double x) : oracle() {
         mpfr_set_d(stored::in(*this), x, MPFR_RNDN);
         return;
     }
-    stored& made = *std::launder(reinterpret_cast<stored*>(number_.data()));
-    made.digits = {};
-    made.digits.back() = bits << 11 | std::uint64_t{1} << 63;
-    mpfr_custom_init_set(&made.number, x < 0 ? -MPFR_REGULAR_KIND : MPFR_REGULAR_KIND, exponent - 1022, limits::digits,
-                         made.digits.data());
+    stored::set(*this, x < 0, bits << 11 | std::uint64_t{1} << 63, exponent - 1022);
 }
-oracle::oracle(long double x) : oracle() { mpfr_set_ld(stored::in(*this), x, MPFR_RNDN); }
+/// As a double, where it is the one of the x87, which has 64 digits.
+oracle::oracle(long double x) : oracle() {
+    std::array<std::uint64_t, 2> bits{};
+    std::memcpy(bits.data(), &x, std::min(sizeof(bits), sizeof(x)));
+    const int exponent = static_cast<int>(bits[1] & 0x7fff);
+    const bool is_x87 = std::numeric_limits<long double>::digits == 64 && std::endian::native == std::endian::little;
+    if (!is_x87 || GMP_NUMB_BITS != 64 || exponent == 0 || exponent == 0x7fff) {
+        mpfr_set_ld(stored::in(*this), x, MPFR_RNDN);
+        return;
+    }
+    stored::set(*this, x < 0, bits[0], exponent - 16382);
+}
 oracle::oracle(const char* decimal) : oracle() { mpfr_set_str(stored::in(*this), decimal, 10, MPFR_RNDN); }
 oracle::oracle(const oracle& x) { *this = x; }
 /// Its bytes; the digits have moved with them.
