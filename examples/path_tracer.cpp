@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -20,7 +21,7 @@ struct hit_record {  // what is wanted of a hit: raio fills what there is
     float t;
     vec3 point, normal, error;
     bool front_face;
-    int index;
+    std::uint32_t index;
 };
 
 // SplitMix64 (Steele, Lea and Flood 2014). Every pixel has its own: the picture is the same on any number of threads.

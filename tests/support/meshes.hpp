@@ -79,13 +79,38 @@ std::vector<Triangle> moved(std::vector<Triangle> mesh, double size, const vec3<
     return mesh;
 }
 
+/// Tells which triangles of a mesh a ray passes at a distance: by half of its size, which no rounding
+/// makes up for.
+template <class Triangle>
+class distant_triangles {
+public:
+    explicit distant_triangles(const std::vector<Triangle>& mesh) {
+        for (const Triangle& t : mesh) {
+            const vec3<double> a = to_double(t.a);
+            corners_.push_back(a);
+            reach_.push_back(1.5 * std::max(length(to_double(t.b) - a), length(to_double(t.c) - a)));
+        }
+    }
+    bool has(std::size_t nth, const vec3<double>& origin, const vec3<double>& unit_direction) const {
+        const double x = corners_[nth].x - origin.x, y = corners_[nth].y - origin.y, z = corners_[nth].z - origin.z;
+        const double along = x * unit_direction.x + y * unit_direction.y + z * unit_direction.z;
+        return x * x + y * y + z * z - along * along > reach_[nth] * reach_[nth];
+    }
+
+private:
+    std::vector<vec3<double>> corners_;
+    std::vector<double> reach_;
+};
+
 /// Rays aimed at vertices and at points of edges of a convex mesh of size 1: from inside each meets backs alone, at one
 /// t, however many triangles share the point. From outside it meets fronts at one t and then backs at another, both at
-/// one where it touches the mesh, or nothing: no crossing is lost, and none counts twice.
+/// one where it touches the mesh, or nothing: no crossing is lost, and none counts twice. (What is far beside the ray
+/// is asked by every eighth.)
 template <class Triangle>
 void check_closed_mesh(const std::vector<Triangle>& unit, double size = 1, const vec3<double>& place = {0, 0, 0}) {
     using T = number_t<Triangle>;
     const std::vector<Triangle> mesh = moved(unit, size, place);
+    const distant_triangles<Triangle> distant(mesh);
     random_numbers random(12);
     int complaints = 0, shared = 0, through = 0;
     const int rays = test_rays / 4;
@@ -97,9 +122,11 @@ void check_closed_mesh(const std::vector<Triangle>& unit, double size = 1, const
         const vec3<T> origin(place + random.direction() * (away * size));
         const ray<T> ray{origin, target - origin};
         std::vector<T> fronts, backs;
-        for (const Triangle& other : mesh) {
+        const vec3<double> from = to_double(ray.origin), towards = normalize(to_double(ray.direction));
+        for (std::size_t nth = 0; nth < mesh.size(); ++nth) {
+            if (i / 4 % 8 != 0 && distant.has(nth, from, towards)) continue;
             hit_record<T> rec{};
-            if (other.hit(ray, T(0), infinity<T>, rec)) (rec.front_face ? fronts : backs).push_back(rec.t);
+            if (mesh[nth].hit(ray, T(0), infinity<T>, rec)) (rec.front_face ? fronts : backs).push_back(rec.t);
         }
         const auto at_one_t = [](const std::vector<T>& ts) {
             return !ts.empty() && std::ranges::count(ts, ts.front()) == std::ssize(ts);
