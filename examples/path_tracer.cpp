@@ -9,11 +9,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <glm/glm.hpp>
 #include <thread>
 #include <variant>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 using glm::vec2, glm::vec3;
 
