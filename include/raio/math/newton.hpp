@@ -16,7 +16,7 @@ RAIO_FN constexpr T newton_between(T low, T high, T x, F f, Slope slope) {
         const T value = f(x), last = x;
         if (value == T(0)) break;
         (value > T(0) ? high : low) = x;
-        const T next = x - quotient(value, slope(x), infinity<T>);
+        const T next = x - quotient(value, slope(x), T(infinity<T>));
         x = low <= next && next <= high ? next : low + (high - low) / T(2);
         if (abs(x - last) <= T(2 * unit_roundoff<T>) * abs(x)) break;
     }
