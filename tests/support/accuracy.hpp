@@ -53,7 +53,7 @@ std::vector<crossing<oracle>> exact_crossings(const Shape& shape, const ray<R>& 
         if (std::isfinite(size)) shape_size = size;
     }
     const vec3<bound> origin(exact_ray.origin), direction(exact_ray.direction);
-    const bound in_directions = 1 / length(direction);
+    const bound speed = length(direction), in_directions = speed > 0 ? 1 / speed : infinity<bound>;
     const auto add_errors = [&](std::vector<crossing<oracle>>& found, bound part) {
         for (crossing<oracle>& c : found) {
             const bound way = norm1(origin) + norm1(direction) * std::abs(bound(c.t));
