@@ -88,7 +88,7 @@ RAIO_FN constexpr T outward(const T& x, const T& towards) {
 
 /// How much room `padded` leaves for what points are off by before they are rounded to T, in roundings of the largest
 /// coordinate. Those of floats are found in double: a 32nd is enough from a million sizes away. Those of doubles are
-/// found in double as well.
+/// found in double as well, and off by a few dozen roundings of the ray's way: 2^10 is enough from some ten sizes away.
 template <real T>
 inline constexpr double padding = unit_roundoff<T> <= unit_roundoff<working_t<T>> ? 0x1p10 : 0x1p-5;
 

@@ -105,4 +105,20 @@ TEST_CASE("record_point: a ray that leaves a ground of doubles needs no closer l
     }
 }
 
+TEST_CASE_TEMPLATE("keep_in: points lie within the bounds, however far away their rays begin", T, float, double) {
+    const sphere<T> ball{{0, 0, 0}, 1};
+    random_numbers random(78);
+    int hits = 0;
+    for (int i = 0; i < 3000; ++i) {
+        // Head on along an axis, where the ball touches its bounds.
+        vec3<T> origin(static_cast<T>(random.uniform(-1e-9, 1e-9)));
+        origin[i % 3] = static_cast<T>((i % 2 == 0 ? 1 : -1) * random.log_uniform(1, 1e12));
+        hit_record<T> rec;
+        if (!ball.hit(ray<T>{origin, origin * T(-0.3)}, T(0), infinity<T>, rec)) continue;
+        ++hits;
+        REQUIRE(nearest_in(ball.bounds(), rec.point) == rec.point);
+    }
+    CHECK(hits > 2900);
+}
+
 }  // namespace raio::test

@@ -143,8 +143,8 @@ public:
     RAIO_FN constexpr void keep_in([[maybe_unused]] Bounds bounds) {
         if constexpr (is_believed<W> || !(has_point<Record> || has_error<Record> || has_uv<Record>)) return;
         const auto& [origin, direction] = unmapped(ray_);
-        const T room =
-            norm1(rec_.point) * T(padding<T> / 4 * unit_roundoff<T>);  // which is at most what `padded` leaves
+        // No more than `padded` leaves: three coordinates add up to at most three times the largest.
+        const T room = norm1(rec_.point) * T(padding<T> / 4 * unit_roundoff<T>);
         const T off = norm1(vec3<T>(direction)) * T(crossing_.error) + norm1(vec3<T>(origin)) * T(8 * unit_roundoff<W>);
         const mask_t<T> unknown = !(off <= room);
         if (none(unknown)) return;
