@@ -42,7 +42,7 @@ RAIO_FN constexpr chord<W> cross_between(const bounded_number<W>& to_low, const 
 /// is known then, that of any other point of the plane.
 template <class Point, real T>
 RAIO_FN constexpr void put_onto_plane(Point& at, const vec3<T>& normal, const vec3<T>& on_plane) {
-    if constexpr (Point::is_mapped) return;
+    if constexpr (Point::is_mapped || is_believed<typename Point::number>) return;
     const auto put = [](const T& n_j, const T& n_k, const T& known, T& p) {
         p = select(every(n_j == T(0), n_k == T(0)), known, p);
     };

@@ -16,6 +16,20 @@ namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
+/// How far from zero a number has to be for its sign to be known; one that is believed has its sign.
+template <class W>
+RAIO_FN constexpr bound_t<W> doubt_of(const bounded_number<W>& a) {
+    if constexpr (is_believed<W>) return bound_t<W>(0);
+    return rounded_up<W>(a.error);
+}
+
+/// Is there no doubt, if this holds? What a number that is believed has found leaves none.
+template <class W>
+RAIO_FN constexpr mask_t<W> beyond_doubt(const mask_t<W>& holds) {
+    if constexpr (is_believed<W>) return mask_t<W>(true);
+    return holds;
+}
+
 /// A verdict, of which a number that is believed has no doubt.
 template <class W>
 RAIO_FN constexpr verdict<mask_t<W>> decided(const mask_t<W>& certainly, const mask_t<W>& possibly,
@@ -145,7 +159,7 @@ RAIO_FN constexpr mask_t<W> answer_of(const verdict<mask_t<W>>& a) {
 /// Is it beyond doubt that something is to be found there, or nowhere?
 template <class W>
 RAIO_FN constexpr mask_t<W> is_settled_at(const verdict<mask_t<W>>& exists, const bounded_number<W>& there) {
-    return some(every(exists.certainly, mask_t<W>(is_finite(there.error))), !exists.possibly);
+    return detail::beyond_doubt<W>(some(every(exists.certainly, mask_t<W>(is_finite(there.error))), !exists.possibly));
 }
 
 /// The same of something that is to be found there: to the last precision what is infinitely far off does not exist.

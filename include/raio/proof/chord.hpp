@@ -199,7 +199,7 @@ RAIO_FN constexpr chord<W> intersect(const chord<W>& a, const chord<W>& b) {
     const mask_t<W> decided = every(a.near.certain, b.near.certain, abs(inside) > slack);
     E size = abs(E(near)) + abs(E(far));
     const mask_t<W> exists = every(a.near.exists, b.near.exists, inside >= -tie<W>(slack, size));
-    const mask_t<W> certain = some(missed, decided);
+    const mask_t<W> certain = detail::beyond_doubt<W>(some(missed, decided));
     if constexpr (last_precision<W>) {  // what cannot be told from a point is one, where that is known best
         const mask_t<W> is_point = every(exists, inside < W(0));
         W point = select(near_error < far_error, near, far);
@@ -222,7 +222,7 @@ RAIO_FN constexpr crossing<W> within(const chord<W>& slab, crossing<W> c) {
     E size = abs(E(slab.near.t)) + abs(E(slab.far.t));  // of its t, as in polyhedra: what is between may be a point
     const mask_t<W> off = some(before < -before_error, after < -after_error, !slab.near.exists);
     const mask_t<W> between = every(before > before_error, after > after_error);
-    c.certain = every(c.certain, slab.near.certain, some(off, between, !c.exists));
+    c.certain = detail::beyond_doubt<W>(every(c.certain, slab.near.certain, some(off, between, !c.exists)));
     c.exists =
         every(c.exists, slab.near.exists, before >= -tie<W>(before_error, size), after >= -tie<W>(after_error, size));
     return c;

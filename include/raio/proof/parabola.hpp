@@ -25,8 +25,7 @@ RAIO_FN constexpr bool missed(const hollow_chord<W>& c) {
 /// \param square  b^2 - a c
 template <class W>
 RAIO_FN constexpr mask_t<W> is_above_zero(const bounded_number<W>& a, const bounded_number<W>& square) {
-    using E = bound_t<W>;
-    return every(a.value > W(E(2) * a.error), square.value < -W(detail::rounded_up<W>(square.error)));
+    return every(a.value > W(bound_t<W>(2) * a.error), square.value < -W(detail::doubt_of(square)));
 }
 
 /// Where a t^2 - 2 b t + c is zero or below.
@@ -50,7 +49,7 @@ RAIO_FN constexpr hollow_chord<W> where_below_zero(const bounded_number<W>& a, c
         if (direct.error < square.error) square = direct;
     }
     const bounded_number<W> root = sqrt(square);
-    const E square_error = detail::rounded_up<W>(square.error);
+    const E square_error = detail::doubt_of(square);
     // With the signs of all three turned where a is below zero, near is the lower root.
     const auto turned = [&](const bounded_number<W>& x) { return bounded_number<W>(flip(x.value, a.value), x.error); };
     auto [near, far] = quadratic_roots(abs(a), turned(b), turned(c), root);

@@ -159,7 +159,9 @@ public:
         }
     }
     /// The same of a point that lies between corners, which may be seen edge-on.
-    RAIO_FN constexpr void keep_between(const aabb<T>& corners) { point() = nearest_in(corners, point()); }
+    RAIO_FN constexpr void keep_between([[maybe_unused]] const aabb<T>& corners) {
+        if constexpr (!is_believed<W>) point() = nearest_in(corners, point());
+    }
 
     /// Records the normal.
     /// \param outward  across the surface, of any length
