@@ -33,6 +33,15 @@
 #define RAIO_FORMULA RAIO_FN
 #endif
 
+/// Stands before a function that evaluates a formula as a whole. Of neighbours, two numbers or two flags, g++ makes one
+/// vector (superword-level parallelism), and taking them apart again costs up to a sixth of a hit. Such a function
+/// does not become part of those that are compiled otherwise.
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define RAIO_NO_SLP [[gnu::optimize("no-tree-slp-vectorize")]]
+#else
+#define RAIO_NO_SLP
+#endif
+
 /// Stands before a function that one call in hundreds needs: it stays out of line, and is compiled to be small.
 #define RAIO_RARELY [[gnu::noinline, gnu::cold]]
 

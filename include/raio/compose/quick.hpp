@@ -55,7 +55,7 @@ struct quick : P {
     using shape = P;
 
     template <ray_of<T> Ray = raio::ray<T>, record Record>
-    RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+    RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
         auto first = detail::first_crossing<detail::question::where>(*this, ray, t_min, t_max);
         if constexpr (detail::has_lanes<T>) {
             if (none(first.exists)) return first.exists;

@@ -35,7 +35,7 @@ public:
     RAIO_FN constexpr const transform<T>& map() const { return inverse_.map(); }
 
     template <ray_of<T> Ray = raio::ray<T>, record Record>
-    RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+    RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
         if constexpr (detail::has_lanes<T>) {
             return detail::first_hit_in_lanes(*this, ray, t_min, t_max, rec);
         } else {

@@ -140,7 +140,7 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_
 /// The same in a function of its own: a ray that is known to miss costs no call, and no registers that only a hit
 /// needs.
 template <question Asked, real T, class Shape, class Ray, class Then>
-[[gnu::noinline]] RAIO_FLATTEN RAIO_FN constexpr mask_t<T> settle_apart(const Shape& shape, const Ray& ray, T t_min,
+[[gnu::noinline]] RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr mask_t<T> settle_apart(const Shape& shape, const Ray& ray, T t_min,
                                                                         T t_max, Then then) {
     return settle<Asked>(shape, ray, t_min, t_max, then);
 }
@@ -158,16 +158,16 @@ RAIO_FLATTEN RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const Ray& 
 /// `hit` of every shape that has also `surface(at)`: the same crossing, and what to record of it.
 /// \tparam Asked  `only_where` if there is one beyond doubt
 template <detail::question Asked = detail::question::where, real T, class Shape, class Ray, record Record>
-RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
+RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
     const auto record = [&](const auto& same_ray, const auto& crossing) {
         if (crossing.exists) detail::record_crossing(shape, same_ray, crossing, rec);
         return crossing.exists;
     };
-    if constexpr (Asked == detail::question::where && detail::is_often_passed<Shape, Ray>) {
-        if (detail::is_passed(shape, ray)) return false;
-        return detail::settle_apart<Asked>(shape, ray, t_min, t_max, record);
-    } else {
+    if constexpr (detail::is_mapped<Ray>) {  // in what maps the ray, which can stay in registers
         return detail::settle<Asked>(shape, ray, t_min, t_max, record);
+    } else {
+        if (Asked == detail::question::where && detail::is_passed(shape, ray)) return mask_t<T>(false);
+        return detail::settle_apart<Asked>(shape, ray, t_min, t_max, record);
     }
 }
 
@@ -236,7 +236,7 @@ RAIO_RARELY RAIO_FN constexpr interval<T> inside_closer(const Shape& shape, cons
 
 /// Where the line is inside a convex solid, in a function of its own.
 template <class Shape, class Ray, real T = typename Shape::number>
-[[gnu::noinline]] RAIO_FLATTEN RAIO_FN constexpr interval<T> inside_apart(const Shape& shape, const Ray& ray) {
+[[gnu::noinline]] RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr interval<T> inside_apart(const Shape& shape, const Ray& ray) {
     if constexpr (works_first<T>) {
         keep_as_stored<T>(shape, unmapped(ray));
         auto [near, far] = every_end(shape, line_in<working_t<T>>(ray));
