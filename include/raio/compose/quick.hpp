@@ -55,17 +55,12 @@ struct quick : P {
     using shape = P;
 
     template <ray_of<T> Ray = raio::ray<T>, record Record>
-    RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
-        auto first = detail::first_crossing<detail::question::where>(*this, ray, t_min, t_max);
-        if constexpr (detail::has_lanes<T>) {
-            if (none(first.exists)) return first.exists;
-            Record candidate;
-            detail::record_crossing(*this, ray, first, candidate);
-            assign(first.exists, rec, candidate);
-        } else if (first.exists) {
-            detail::record_crossing(*this, ray, first, rec);
+    RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+        if constexpr (detail::is_often_passed<P, Ray>) {  // most rays miss, and cost no call
+            return hit_here(ray, t_min, t_max, rec);
+        } else {
+            return hit_apart(ray, t_min, t_max, rec);
         }
-        return first.exists;
     }
 
     template <ray_of<T> Ray = raio::ray<T>>
@@ -84,6 +79,27 @@ struct quick : P {
     RAIO_FLATTEN RAIO_FN constexpr void record_at(const Ray& ray, T t, Record& rec) const {
         auto known = detail::crossing_at(this->crossings(line_in<plain<T>>(ray)), t);
         detail::record_crossing(*this, ray, known, rec);
+    }
+
+private:
+    template <class Ray, class Record>
+    RAIO_FORMULA constexpr mask_t<T> hit_here(const Ray& ray, T t_min, T t_max, Record& rec) const {
+        auto first = detail::first_crossing<detail::question::where>(*this, ray, t_min, t_max);
+        if constexpr (detail::has_lanes<T>) {
+            if (none(first.exists)) return first.exists;
+            Record candidate;
+            detail::record_crossing(*this, ray, first, candidate);
+            assign(first.exists, rec, candidate);
+        } else if (first.exists) {
+            detail::record_crossing(*this, ray, first, rec);
+        }
+        return first.exists;
+    }
+
+    template <class Ray, class Record>
+    RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit_apart(const Ray& ray, T t_min, T t_max,
+                                                                   Record& rec) const {
+        return hit_here(ray, t_min, t_max, rec);
     }
 };
 
