@@ -22,17 +22,23 @@ RAIO_FORMULA constexpr crossing<plain<T>> first_crossing(const Shape& shape, con
     return first_in_window(crossings_for<plain<T>, Asked>(shape, ray, t_min, t_max), t_min, t_max);
 }
 
-/// Of several crossings the one at t. It is the nearest to it, should other instructions have rounded t otherwise.
-template <class Found, real T>
-RAIO_FN constexpr crossing<plain<T>> crossing_at(const Found& found, T t) {
+/// The crossing at t, which has been found before. Of several it is the nearest to it, should other instructions have
+/// rounded t otherwise.
+template <class Shape, class Ray, real T>
+RAIO_FORMULA constexpr crossing<plain<T>> crossing_again(const Shape& shape, const Ray& ray, const T& t) {
     using W = plain<T>;
-    auto nearest = no_crossing<W>();
-    for (const crossing<W>& c : in_order(found)) {
-        const mask_t<T> nearer = some(!nearest.exists, abs(c.t - W(t)) < abs(nearest.t - W(t)));
-        nearest = select(every(c.exists, nearer), c, nearest);
+    auto known = no_crossing<W>();
+    if constexpr (finds_known_crossing<Shape, W, Ray>) {
+        known = shape.crossings(line_in<W>(ray), known_crossing{});
+    } else {
+        const auto found = shape.crossings(line_in<W>(ray));
+        for (const crossing<W>& c : in_order(found)) {
+            const mask_t<T> nearer = some(!known.exists, abs(c.t - W(t)) < abs(known.t - W(t)));
+            known = select(every(c.exists, nearer), c, known);
+        }
     }
-    nearest.t = W(t);
-    return nearest;
+    known.t = W(t);
+    return known;
 }
 
 }  // namespace detail
@@ -73,11 +79,10 @@ struct quick : P {
         return spans_between<T>(detail::every_end(*this, line_in<plain<T>>(ray)));
     }
 
-    /// Records the crossing at t, which has been found before: the nearest to it, should other instructions have
-    /// rounded it otherwise.
+    /// Records the crossing at t, which has been found before.
     template <ray_of<T> Ray, record Record>
-    RAIO_FLATTEN RAIO_FN constexpr void record_at(const Ray& ray, T t, Record& rec) const {
-        auto known = detail::crossing_at(this->crossings(line_in<plain<T>>(ray)), t);
+    RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr void record_at(const Ray& ray, T t, Record& rec) const {
+        auto known = detail::crossing_again<P>(*this, ray, t);
         detail::record_crossing(*this, ray, known, rec);
     }
 

@@ -132,8 +132,10 @@ RAIO_FN constexpr crossing<typename Line::number> cross_edges(const Line& line, 
         const auto exists = every(is_not_zero(det), is_not_negative(u, size), is_not_negative(v, size),
                                   is_not_negative(size - far(u, v), size));
         const auto way = flip(determinant(e2, s, e1), det);
-        const mask_t<W> passed = is_unwanted(wanted, way.value, way.error, size.value, size.error);
-        if (all(some(!exists.possibly, passed))) return no_crossing<W>();
+        if constexpr (!std::same_as<Wanted, known_crossing>) {
+            const mask_t<W> passed = is_unwanted(wanted, way.value, way.error, size.value, size.error);
+            if (all(some(!exists.possibly, passed))) return no_crossing<W>();
+        }
 
         const auto over_size = inverse(size);
         const auto t = way * over_size;
