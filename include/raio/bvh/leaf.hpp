@@ -138,7 +138,7 @@ public:
             }
         };
         const sifted<numbers> is = sift(crossings(), numbers(t_min), numbers(t_max));
-        findings<T, lanes> found{bits(is.sure), bits(is.open), is.low, is.high};
+        findings<T, lanes> found{bits(is.sure), is_quick<Shape> ? 0 : bits(is.open), is.low, is.high};
         constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - lanes);
         if (((found.sure | found.open) & all) != 0) {
             const std::uint32_t used = b.used();

@@ -46,8 +46,10 @@ public:
         return made([&](std::size_t i) {
             if constexpr (is_bits) {
                 return parts_[i] ^ every_bit;
-            } else {
+            } else if constexpr (std::same_as<part, bool>) {
                 return !parts_[i];
+            } else {
+                return ~parts_[i];  // one instruction; xsimd's ! compares with zero, by halves where there is no AVX2
             }
         });
     }
