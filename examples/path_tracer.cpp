@@ -111,7 +111,10 @@ vec3 light(const scene& world, const auto& tree, raio::ray<float> ray, random_nu
 }
 
 int main(int argc, char** argv) {
-    if (argc < 2) return std::fprintf(stderr, "usage: %s PICTURE.ppm [WIDTH [SAMPLES [THREADS]]]\n", argv[0]), 2;
+    const auto refuse = [](const char* what, const char* why) { return std::fprintf(stderr, "%s %s\n", what, why), 1; };
+    if (argc < 2 || *argv[1] == '-') return refuse("usage: path_tracer", "PICTURE.ppm [WIDTH [SAMPLES [THREADS]]]");
+    std::ofstream file(argv[1], std::ios::binary);
+    if (!file) return refuse(argv[1], "cannot be written");
     const auto number = [&](int i, int other) { return argc > i ? std::clamp(std::atoi(argv[i]), 1, 9999) : other; };
     const int width = number(2, 1200), height = std::max(1, width * 9 / 16), samples = number(3, 100);
     const scene world;
@@ -121,7 +124,6 @@ int main(int argc, char** argv) {
     const vec3 eye(13, 2, 3), forward = normalize(-eye);
     const vec3 right = normalize(cross(forward, vec3(0, 1, 0))), up = cross(right, forward);
     const float half_height = glm::tan(glm::radians(20.0f / 2)), lens_radius = 10 * glm::tan(glm::radians(0.6f / 2));
-
     std::vector<glm::u8vec3> picture(std::size_t(width) * std::size_t(height));
     std::atomic<int> next = 0;
     const auto work = [&] {
@@ -142,9 +144,7 @@ int main(int argc, char** argv) {
     for (int i = number(4, int(std::thread::hardware_concurrency())); i > 1; --i) threads.emplace_back(work);
     work();
     threads.clear();  // waits for them
-
-    std::ofstream file(argv[1], std::ios::binary);
     file << "P6\n" << width << ' ' << height << "\n255\n";
     for (const glm::u8vec3& pixel : picture) file << pixel.r << pixel.g << pixel.b;
-    if (!file.flush()) return std::fprintf(stderr, "%s cannot be written\n", argv[1]), 1;
+    if (!file.flush()) return refuse(argv[1], "cannot be written");
 }
