@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <raio/number/bounded_vector.hpp>
+#include <raio/number/comparison.hpp>
 #include <raio/number/simd.hpp>
 
 namespace raio::test {
@@ -57,6 +58,9 @@ TEST_CASE("plain: what is decided with it is beyond doubt, and its errors are re
     CHECK((!is_nothing.certainly && !is_nothing.possibly && !is_nothing.yes));
     CHECK(float(sum.error) > 0);
     CHECK(float(sum.error) < 1e-6f);
+    const auto anywhere = unknown_number<W>();
+    CHECK(is_settled_at(is_one, anywhere));  // though nothing is known of the place
+    CHECK(float(detail::doubt_of(anywhere)) == 0);
 }
 
 }  // namespace raio::test

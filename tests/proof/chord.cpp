@@ -71,6 +71,24 @@ TEST_CASE("chord: what two solids share, whatever the ends are off by") {
     CHECK((certain_hits > 1000 && certain_misses > 1000));
 }
 
+TEST_CASE("chord: of numbers that are believed all is certain, whatever they are off by") {
+    using W = plain<float>;
+    const W off(1000);
+    const auto from_to = [&](float near, float far) {
+        return chord<W>{{true, true, W(near), off, true}, {true, true, W(far), off, false}};
+    };
+    const auto is = [](const crossing<W>& c, bool exists, float t) {
+        return c.certain && c.exists == exists && (!exists || float(c.t) == t);
+    };
+    const chord<W> both = intersect(from_to(1, 3), from_to(2, 4)), none = intersect(from_to(1, 2), from_to(3, 4));
+    CHECK((is(both.near, true, 2) && is(both.far, true, 3)));
+    CHECK((is(none.near, false, 0) && is(none.far, false, 0)));
+    CHECK(missed(none));
+    const chord<W> side = cut<false>(from_to(1, 3), from_to(2, 4));
+    CHECK((is(side.near, false, 0) && is(side.far, true, 3)));
+    CHECK(float(both.near.error) >= 1000);  // which is still reckoned
+}
+
 TEST_CASE("chord: two solids that are convex together, whatever the ends are off by") {
     const auto later = [](double x, double y) { return std::max(x, y); };
     const auto earlier = [](double x, double y) { return std::min(x, y); };
