@@ -22,7 +22,8 @@ public:
                      T t_max, std::span<hit_record<T>> recs)
         : leaves_(leaves), rays_(rays), groups_(lanes.groups()), t_min_(t_min), t_max_(t_max) {
         farthest_.fill(t_max);
-        for (std::size_t i = 0; i < rays.size(); ++i) queries_[i].emplace(leaves, rays[i], t_min, t_max, recs[i]);
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            std::construct_at(&queries_[i], leaves, rays[i], t_min, t_max, recs[i]);
     }
 
     /// Nothing beyond that can be nearest for a ray.
@@ -45,8 +46,8 @@ public:
         }
         for (; of != 0; of &= of - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(of));
-            queries_[i]->template visit<Kind>(block);
-            farthest_[i] = queries_[i]->farthest();
+            queries_[i].template visit<Kind>(block);
+            farthest_[i] = queries_[i].farthest();
         }
     }
 
@@ -54,7 +55,7 @@ public:
     std::uint64_t finish() {
         record_many();
         std::uint64_t found = 0;
-        for (std::size_t i = 0; i < rays_.size(); ++i) found |= std::uint64_t{queries_[i]->finish()} << i;
+        for (std::size_t i = 0; i < rays_.size(); ++i) found |= std::uint64_t{queries_[i].finish()} << i;
         return found;
     }
 
@@ -77,7 +78,7 @@ private:
             const std::uint32_t sure = bits(found.sure) & of, open = bits(found.open) & of;
             for (std::uint32_t left = sure | open; left != 0; left &= left - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(left));
-                query& own_query = *queries_[first + i];
+                query& own_query = queries_[first + i];
                 const place_in_leaves at = leaves_.template place<Kind>(block, lane);
                 if ((sure >> i & 1) != 0) {
                     own_query.consider(at, found.low[i], found.high[i]);
@@ -92,14 +93,14 @@ private:
     /// Records what is nearest for each ray, side by side those that have met shapes of one kind.
     void record_many() {
         std::uint64_t left = 0;
-        for (std::size_t i = 0; i < rays_.size(); ++i) left |= std::uint64_t{queries_[i]->unrecorded() != nullptr} << i;
+        for (std::size_t i = 0; i < rays_.size(); ++i) left |= std::uint64_t{queries_[i].unrecorded() != nullptr} << i;
         while (left != 0) {
-            const std::size_t kind = queries_[static_cast<std::size_t>(std::countr_zero(left))]->unrecorded()->kind;
+            const std::size_t kind = queries_[static_cast<std::size_t>(std::countr_zero(left))].unrecorded()->kind;
             std::array<std::size_t, P::lanes> which;
             std::size_t count = 0;
             for (std::uint64_t rest = left; rest != 0 && count < which.size(); rest &= rest - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-                if (queries_[i]->unrecorded()->kind == kind) which[count++] = i, left &= ~(std::uint64_t{1} << i);
+                if (queries_[i].unrecorded()->kind == kind) which[count++] = i, left &= ~(std::uint64_t{1} << i);
             }
             constexpr std::size_t worth_it = 4;  // packs take as long as so many rays, which are left to `finish`
             if (count < worth_it) continue;
@@ -118,8 +119,8 @@ private:
             P t;
             for (std::size_t lane = 0; lane < P::lanes; ++lane) {
                 const std::size_t i = rays[std::min(lane, rays.size() - 1)];
-                const place_in_leaves& at = *queries_[i]->unrecorded();
-                shapes.set(lane, leaves.shape(at.block, at.lane)), t.set(lane, queries_[i]->low());
+                const place_in_leaves& at = *queries_[i].unrecorded();
+                shapes.set(lane, leaves.shape(at.block, at.lane)), t.set(lane, queries_[i].low());
                 set_lane(own.origin, lane, rays_[i].origin), set_lane(own.direction, lane, rays_[i].direction);
             }
             hit_record<P> found;
@@ -129,7 +130,7 @@ private:
                 first_hit<question::only_where>(shapes.shapes(), own, P(t_min_), P(t_max_), found);
             }
             for (std::size_t lane = 0; lane < rays.size(); ++lane)
-                queries_[rays[lane]]->take_in(in_lane<P>(found, lane));
+                queries_[rays[lane]].take_in(in_lane<P>(found, lane));
         }
     }
 
@@ -138,7 +139,10 @@ private:
     std::span<const ray<P>> groups_;
     T t_min_, t_max_;
     std::array<T, ray_bundle::most> farthest_;
-    std::array<std::optional<query>, ray_bundle::most> queries_;
+    union {                                // not set to zero, as optional ones would be
+        query queries_[ray_bundle::most];  ///< of as many as there are rays
+    };
+    static_assert(std::is_trivially_destructible_v<query>);
 };
 
 }  // namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS
