@@ -37,7 +37,7 @@ public:
     }
 
     /// Takes in what packs say of a shape: that it is hit between `low` and `high`.
-    void consider(const place_in_leaves& at, T low, T high) {
+    void consider(place_in_leaves at, T low, T high) {
         if constexpr (Leaves::are_quick) {
             if (!exists_ || low < low_ || (low == low_ && comes_first(at))) take(at, low, high);
             return;
@@ -51,7 +51,7 @@ public:
     }
 
     /// Lets a shape wait that packs leave open.
-    void wait(const place_in_leaves& at) {
+    void wait(place_in_leaves at) {
         if (open_count_ == open_.size()) settle_open();
         open_[open_count_++] = at;
     }
@@ -93,7 +93,7 @@ private:
         }
     }
 
-    void take(const place_in_leaves& at, T low, T high) {
+    void take(place_in_leaves at, T low, T high) {
         at_ = at, low_ = low, high_ = high;
         exists_ = true, exact_ = false;
     }
@@ -141,7 +141,7 @@ private:
     }
 
     /// Is a shape that is as near as the nearest to be preferred?
-    bool comes_first(const place_in_leaves& at) const {
+    bool comes_first(place_in_leaves at) const {
         return at.id != at_.id && comes_before(leaves_, ray_, t_min_, low_, at, at_, rec_);
     }
 

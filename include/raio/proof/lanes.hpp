@@ -89,9 +89,9 @@ RAIO_FN void set_lane(Record& to, P& front, std::size_t lane, const hit_record<s
     if constexpr (has_uv<Record>) to.uv.x.set(lane, from.uv.x), to.uv.y.set(lane, from.uv.y);
 }
 
-/// What is recorded in one lane.
+/// What is recorded in one lane. (Part of what asks: a record that is put together in memory waits there to be copied.)
 template <has_lanes P>
-RAIO_FN hit_record<scalar_t<P>> in_lane(const hit_record<P>& rec, std::size_t lane) {
+[[gnu::always_inline]] RAIO_FN inline hit_record<scalar_t<P>> in_lane(const hit_record<P>& rec, std::size_t lane) {
     const auto of = [&](const vec3<P>& v) { return vec3<scalar_t<P>>(v.x[lane], v.y[lane], v.z[lane]); };
     return {rec.t[lane],         of(rec.point),
             of(rec.normal),      {rec.uv.x[lane], rec.uv.y[lane]},
