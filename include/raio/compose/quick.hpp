@@ -22,8 +22,26 @@ RAIO_FORMULA constexpr crossing<plain<T>> first_crossing(const Shape& shape, con
     return first_in_window(crossings_for<plain<T>, Asked>(shape, ray, t_min, t_max), t_min, t_max);
 }
 
-/// The crossing at t, which has been found before. Of several it is the nearest to it, should other instructions have
-/// rounded t otherwise.
+/// Of two crossings the one that is nearer to t, or that exists.
+template <class W>
+RAIO_FN constexpr crossing<W> nearer(const W& t, const crossing<W>& a, const crossing<W>& b) {
+    return select(every(b.exists, some(!a.exists, abs(b.t - t) < abs(a.t - t))), b, a);
+}
+
+/// Of all that were found the nearest to t.
+template <class W, class Found>
+RAIO_FN constexpr crossing<W> nearest_to(const W& t, const Found& found) {
+    auto nearest = no_crossing<W>();
+    for (const crossing<W>& c : in_order(found)) nearest = nearer(t, nearest, c);
+    return nearest;
+}
+template <class W>
+RAIO_FN constexpr crossing<W> nearest_to(const W& t, const chord<W>& c) {  // not through memory, as a list goes
+    return nearer(t, c.near, c.far);
+}
+
+/// The crossing at t, which has been found before: the nearest to it, should other instructions have rounded t
+/// otherwise.
 template <class Shape, class Ray, real T>
 RAIO_FORMULA constexpr crossing<plain<T>> crossing_again(const Shape& shape, const Ray& ray, const T& t) {
     using W = plain<T>;
@@ -31,11 +49,7 @@ RAIO_FORMULA constexpr crossing<plain<T>> crossing_again(const Shape& shape, con
     if constexpr (finds_known_crossing<Shape, W, Ray>) {
         known = shape.crossings(line_in<W>(ray), known_crossing{});
     } else {
-        const auto found = shape.crossings(line_in<W>(ray));
-        for (const crossing<W>& c : in_order(found)) {
-            const mask_t<T> nearer = some(!known.exists, abs(c.t - W(t)) < abs(known.t - W(t)));
-            known = select(every(c.exists, nearer), c, known);
-        }
+        known = nearest_to(W(t), shape.crossings(line_in<W>(ray)));
     }
     known.t = W(t);
     return known;
