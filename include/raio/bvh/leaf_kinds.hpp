@@ -8,7 +8,8 @@
 
 namespace raio::inline RAIO_ABI::detail::inline RAIO_REGISTERS {
 
-/// Where a shape stands: in which lane of which block of which kind of leaves.
+/// Where a shape stands: in which lane of which block of which kind of leaves. Given by value, so that it can stay in
+/// registers: what is put together in memory is not copied before it has got there.
 struct place_in_leaves {
     std::size_t kind;
     std::uint32_t block;

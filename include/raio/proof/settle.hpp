@@ -140,8 +140,8 @@ RAIO_FORMULA constexpr mask_t<T> settle(const Shape& shape, const Ray& ray, T t_
 /// The same in a function of its own: a ray that is known to miss costs no call, and no registers that only a hit
 /// needs.
 template <question Asked, real T, class Shape, class Ray, class Then>
-[[gnu::noinline]] RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr mask_t<T> settle_apart(const Shape& shape, const Ray& ray, T t_min,
-                                                                        T t_max, Then then) {
+[[gnu::noinline]] RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr mask_t<T> settle_apart(const Shape& shape, const Ray& ray,
+                                                                                    T t_min, T t_max, Then then) {
     return settle<Asked>(shape, ray, t_min, t_max, then);
 }
 
@@ -236,7 +236,8 @@ RAIO_RARELY RAIO_FN constexpr interval<T> inside_closer(const Shape& shape, cons
 
 /// Where the line is inside a convex solid, in a function of its own.
 template <class Shape, class Ray, real T = typename Shape::number>
-[[gnu::noinline]] RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr interval<T> inside_apart(const Shape& shape, const Ray& ray) {
+[[gnu::noinline]] RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr interval<T> inside_apart(const Shape& shape,
+                                                                                      const Ray& ray) {
     if constexpr (works_first<T>) {
         keep_as_stored<T>(shape, unmapped(ray));
         auto [near, far] = every_end(shape, line_in<working_t<T>>(ray));
