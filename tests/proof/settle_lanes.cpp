@@ -232,12 +232,13 @@ TEST_CASE("retrieved: what a sieve is sure of is found again, or left open") {
     const F t_min(2);
     const double between_floats = 1 + 0x1p-24;
     const auto at = [&](double t, double error) { return crossing<W>{yes, yes, W(t), W(error), yes}; };
-    const detail::sifted<F> near{true, false, F(1), F(1.5f), true}, far{true, false, F(2.5f), F(3.5f), false};
+    const detail::sifted<F> near{F(1), F(1.5f), true, false, false, true},
+        far{F(2.5f), F(3.5f), true, false, false, false};
 
     const crossing<W> found = detail::retrieved<where>(near, chord<W>{at(1.25, 0), at(3, 0)}, t_min);
     CHECK((all(found.exists) && found.t[3] == 1.25));
     CHECK(detail::retrieved<where>(far, chord<W>{at(1.25, 0), at(3, 0)}, t_min).t[3] == 3.0);
-    const detail::sifted<F> unsure{false, true, F(1), F(1.5f), true};
+    const detail::sifted<F> unsure{F(1), F(1.5f), false, false, true, true};
     CHECK(none(detail::retrieved<where>(unsure, chord<W>{at(1.25, 0), at(3, 0)}, t_min).exists));
 
     const auto left_open = [&](const crossing<W>& c) {
@@ -258,11 +259,11 @@ TEST_CASE("retrieved: what a sieve is sure of is found again, or left open") {
     CHECK(!far_left_open(crossing<W>{no, yes, W(2.25), W(0), yes}));
 
     // Of a crossing that is the only one, the sieve's error is taken; where there was no sieve, its own.
-    const detail::sifted<F> close{true, false, F(1), F(1 + 0x1p-6f)}, rough{true, false, F(1), F(1.5f)};
+    const detail::sifted<F> close{F(1), F(1 + 0x1p-6f), true, false, false}, rough{F(1), F(1.5f), true, false, false};
     CHECK(all(detail::retrieved<where>(close, at(1, 1), t_min).exists));
     CHECK(none(detail::retrieved<where>(close, at(between_floats, 0), t_min).exists));
     CHECK(none(detail::retrieved<where>(rough, at(1, 0), t_min).exists));  // too rough for what is recorded of it
-    CHECK(none(detail::retrieved<where>(detail::sifted<F>{false, true, F(1), F(1)}, at(1, 0), t_min).exists));
+    CHECK(none(detail::retrieved<where>(detail::sifted<F>{F(1), F(1), false, false, true}, at(1, 0), t_min).exists));
     CHECK(all(detail::retrieved<only_where>(rough, at(1, 0), t_min).exists));
     CHECK(none(detail::retrieved<only_where>(rough, at(1.25, 1), t_min).exists));
     CHECK(none(detail::retrieved<only_where>(rough, at(INFINITY, 0), t_min).exists));

@@ -18,33 +18,25 @@ namespace raio::inline RAIO_ABI {
 
 namespace detail {
 
-/// What a pack knows of the crossings in its lanes: those in `sure` lie in [low, high], and that in the window; those
-/// in `open` may do anything.
+/// What a pack knows of a crossing in each lane, or of the first in the window of several: between which numbers the
+/// exact t comes to lie once it is rounded to T, and where that is.
 template <class T>
 struct sifted {
-    mask_t<T> sure, open;
     T low, high;
+    mask_t<T> sure, passed;    ///< known to be in the window, or to be before it or not at all
+    mask_t<T> open;            ///< may do anything; all others are beyond it
     mask_t<T> at_near{true};   ///< of the two of a chord, is it the near one?
     mask_t<T> in_first{true};  ///< of two chords, is it of the first?
 };
 
-/// Between which numbers the exact t of a crossing comes to lie once it is rounded to T, and where that is.
-template <class T>
-struct rounded_crossing {
-    T low, high;
-    mask_t<T> inside, beyond;  ///< known to be in the window, or beyond it
-    mask_t<T> passed;          ///< known to be before it, or not at all
-    mask_t<T> at_near{true}, in_first{true};
-};
-
 /// What packs of floats know of a crossing, or of the first in the window of several.
 template <class T, class W>
-RAIO_FN rounded_crossing<T> rounded(const crossing<W>& c, const T& t_min, const T& t_max) {
+RAIO_FN sifted<T> rounded(const crossing<W>& c, const T& t_min, const T& t_max) {
     const mask_t<T> certain = c.certain, exists = c.exists;
     if constexpr (is_believed<W>) {
         const T t(c.t);
         const mask_t<T> inside = every(exists, t_min <= t, t <= t_max), beyond = every(exists, t_max < t);
-        return {t, t, inside, beyond, !some(inside, beyond)};
+        return {t, t, inside, !some(inside, beyond), false};
     }
     mask_t<T> known = every(certain, exists);
     bound_t<W> error = c.error;
@@ -55,46 +47,40 @@ RAIO_FN rounded_crossing<T> rounded(const crossing<W>& c, const T& t_min, const 
         known = every(known, mask_t<T>(abs(c.t) < W(0.25 * std::numeric_limits<double>::max())));
     }
     const T low(c.t - error), high(c.t + error);
-    return {low, high, every(known, t_min <= low, high <= t_max), every(known, t_max < low),
-            some(every(known, high < t_min), every(certain, !exists))};
+    const mask_t<T> inside = every(known, t_min <= low, high <= t_max), beyond = every(known, t_max < low);
+    const mask_t<T> passed = some(every(known, high < t_min), every(certain, !exists));
+    return {low, high, inside, passed, !some(inside, beyond, passed)};
 }
 
 /// Of two, the first or, where that is passed, the one that comes next.
 template <class T>
-RAIO_FN rounded_crossing<T> or_next(const rounded_crossing<T>& a, const rounded_crossing<T>& b) {
+RAIO_FN sifted<T> or_next(const sifted<T>& a, const sifted<T>& b) {
     const auto either = [&](const mask_t<T>& x, const mask_t<T>& y) { return some(x, every(a.passed, y)); };
     return {select(a.passed, b.low, a.low), select(a.passed, b.high, a.high),
-            either(a.inside, b.inside),     either(a.beyond, b.beyond),
-            every(a.passed, b.passed),      either(every(!a.passed, a.at_near), b.at_near)};
+            either(a.sure, b.sure),         every(a.passed, b.passed),
+            either(a.open, b.open),         either(every(!a.passed, a.at_near), b.at_near)};
 }
 
-/// (The chord of a tube without caps may have a far end only.)
-template <class T, class W>
-RAIO_FN rounded_crossing<T> rounded(const chord<W>& c, const T& t_min, const T& t_max) {
-    const rounded_crossing<T> near = rounded(c.near, t_min, t_max);
-    rounded_crossing<T> found = or_next(near, rounded(c.far, t_min, t_max));
-    found.at_near = !near.passed;
-    return found;
-}
-template <class T, class W>
-RAIO_FN rounded_crossing<T> rounded(const chord_pair<W>& c, const T& t_min, const T& t_max) {
-    const rounded_crossing<T> first = rounded(c.first, t_min, t_max);
-    rounded_crossing<T> found = or_next(first, rounded(c.second, t_min, t_max));
-    found.in_first = !first.passed;
+/// Of a chord, or of two. (The chord of a tube without caps may have a far end only.)
+template <class T, template <class> class Two, class W>
+RAIO_FN sifted<T> rounded(const Two<W>& c, const T& t_min, const T& t_max) {
+    const auto& [one, next] = c;
+    const sifted<T> first = rounded(one, t_min, t_max);
+    sifted<T> found = or_next(first, rounded(next, t_min, t_max));
+    (std::same_as<Two<W>, chord<W>> ? found.at_near : found.in_first) = !first.passed;
     return found;
 }
 
 /// What packs know of the first crossing in the window. Of doubles it is what is recorded.
 template <class T, template <class> class Found, class W>
 RAIO_FN sifted<T> sift(const Found<W>& found, const T& t_min, const T& t_max) {
-    if (missed(found)) return {false, false, T(0), T(0)};
+    if (missed(found)) return {T(0), T(0), false, true, false};
     if constexpr (keeps_all_digits<T> && !is_believed<W>) {
         auto [first, known] = settled_in_window<question::where>(found, t_min, t_max);
         const T t(first.t);
-        return {every(known, first.exists), !known, t, t};
+        return {t, t, every(known, first.exists), false, !known};
     } else {
-        const rounded_crossing<T> is = rounded(found, t_min, t_max);
-        return {is.inside, !some(is.inside, is.beyond, is.passed), is.low, is.high, is.at_near, is.in_first};
+        return rounded(found, t_min, t_max);
     }
 }
 
@@ -150,7 +136,7 @@ template <question Asked, class Shape, class T>
 RAIO_FN sifted<T> sieve(const Shape& shape, const ray<T>& ray, const T& t_min, const T& t_max) {
     using found = decltype(first_crossings<Asked>(shape, ray, t_min, t_max));
     if constexpr (Asked == question::only_where && std::same_as<found, crossing<T>>) {
-        return {true, false, t_min, t_max};
+        return {t_min, t_max, true, false, false};
     } else {
         return sift(first_crossings<Asked>(shape, ray, t_min, t_max), t_min, t_max);
     }

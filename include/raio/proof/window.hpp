@@ -31,15 +31,12 @@ RAIO_FN constexpr crossing<W> first_in_window(crossing<W> c, T t_min, T t_max) {
     c.exists = in_window(c, t_min, t_max);
     return c;
 }
-template <real T, class W>
-RAIO_FN constexpr crossing<W> first_in_window(const chord<W>& c, T t_min, T t_max) {
-    crossing<W> near = first_in_window(c.near, t_min, t_max);
-    return select(near.exists, near, first_in_window(c.far, t_min, t_max));
-}
-template <real T, class W>
-RAIO_FN constexpr crossing<W> first_in_window(const chord_pair<W>& c, T t_min, T t_max) {
-    crossing<W> first = first_in_window(c.first, t_min, t_max);
-    return select(first.exists, first, first_in_window(c.second, t_min, t_max));
+/// Of two crossings, those of a chord, or of two chords.
+template <real T, template <class> class Two, class W>
+RAIO_FN constexpr crossing<W> first_in_window(const Two<W>& c, T t_min, T t_max) {
+    const auto& [one, next] = c;
+    crossing<W> first = first_in_window(one, t_min, t_max);
+    return select(first.exists, first, first_in_window(next, t_min, t_max));
 }
 
 /// What is asked of the first crossing: only whether there is one, or also where; or only where, if there is one beyond
@@ -152,15 +149,11 @@ RAIO_FN constexpr finding<W> or_next(const finding<W>& found, Next next) {
 template <question Asked>
 inline constexpr question which_one = Asked == question::whether ? Asked : question::where;
 
-template <question Asked, real T, class W>
-RAIO_FN constexpr finding<W> settled_in_window(const chord<W>& c, T t_min, T t_max) {
-    return or_next(settled_in_window<which_one<Asked>>(c.near, t_min, t_max),
-                   [&] { return settled_in_window<which_one<Asked>>(c.far, t_min, t_max); });
-}
-template <question Asked, real T, class W>
-RAIO_FN constexpr finding<W> settled_in_window(const chord_pair<W>& c, T t_min, T t_max) {
-    return or_next(settled_in_window<Asked>(c.first, t_min, t_max),
-                   [&] { return settled_in_window<Asked>(c.second, t_min, t_max); });
+template <question Asked, real T, template <class> class Two, class W>
+RAIO_FN constexpr finding<W> settled_in_window(const Two<W>& c, T t_min, T t_max) {
+    const auto& [one, next] = c;
+    return or_next(settled_in_window<which_one<Asked>>(one, t_min, t_max),
+                   [&, &later = next] { return settled_in_window<which_one<Asked>>(later, t_min, t_max); });
 }
 
 }  // namespace raio::inline RAIO_ABI::detail
