@@ -44,8 +44,7 @@ RAIO_FN constexpr aabb<T> unless_nan(const aabb<T>& box, const Made&... made_of)
 /// The smallest box that contains both, if all sides are numbers, which is not asked.
 template <real T>
 RAIO_FN constexpr aabb<T> hull_of_numbers(const aabb<T>& a, const aabb<T>& b) {
-    return {{min(a.min.x, b.min.x), min(a.min.y, b.min.y), min(a.min.z, b.min.z)},
-            {max(a.max.x, b.max.x), max(a.max.y, b.max.y), max(a.max.z, b.max.z)}};
+    return {min(a.min, b.min), max(a.max, b.max)};
 }
 template <real T>
 RAIO_FN constexpr aabb<T> hull_of_numbers(const aabb<T>& box, const vec3<T>& point) {
@@ -66,17 +65,13 @@ RAIO_FN constexpr aabb<T> hull(const aabb<T>& box, const vec3<T>& point) {
 /// The points that both contain.
 template <real T>
 RAIO_FN constexpr aabb<T> overlap(const aabb<T>& a, const aabb<T>& b) {
-    return unless_nan(aabb<T>{{max(a.min.x, b.min.x), max(a.min.y, b.min.y), max(a.min.z, b.min.z)},
-                              {min(a.max.x, b.max.x), min(a.max.y, b.max.y), min(a.max.z, b.max.z)}},
-                      a, b);
+    return unless_nan(aabb<T>{max(a.min, b.min), min(a.max, b.max)}, a, b);
 }
 
 /// The point of the box that is nearest to this one. A side of the box that is no number bounds nothing.
 template <real T>
 RAIO_FN constexpr vec3<T> nearest_in(const aabb<T>& box, const vec3<T>& point) {
-    const auto between = [](const T& low, const T& high, const T& x) { return max(min(x, high), low); };
-    return {between(box.min.x, box.max.x, point.x), between(box.min.y, box.max.y, point.y),
-            between(box.min.z, box.max.z, point.z)};
+    return max(min(point, box.max), box.min);
 }
 
 /// `x` moved by at least one ulp in the direction of `towards`, and by at most two.

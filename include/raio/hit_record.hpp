@@ -130,9 +130,8 @@ RAIO_FN constexpr T before(T t) {
 /// The nearest that T can say to a point beyond its largest number. Hardly any point is.
 template <real T>
 RAIO_RARELY RAIO_FN constexpr vec3<T> within_range(vec3<T> p) {
-    const T most(std::numeric_limits<scalar_t<T>>::max());
-    const auto clamped = [&](const T& x) { return max(-most, min(most, x)); };
-    return {clamped(p.x), clamped(p.y), clamped(p.z)};
+    const vec3<T> most{T(std::numeric_limits<scalar_t<T>>::max())};
+    return max(-most, min(most, p));
 }
 
 /// Takes `from` over into `to`, in the lanes of the mask. What else the record has stays as it is. (Not asked whether

@@ -11,6 +11,8 @@ static_assert(cross(vec3<float>(1, 0, 0), vec3<float>(0, 1, 0)) == vec3<float>(0
 static_assert(cross(vec3<float>(1, 2, 3), vec3<float>(2, 3, 5)) == vec3<float>(1, 1, -1));
 static_assert(norm1(vec3<double>(1, -2, 3)) == 6 && norm1(vec3<double>(-1, 2, -3)) == 6);
 static_assert(abs(vec3<double>(-1, -2, -3)) == vec3<double>(1, 2, 3));
+static_assert(min(vec3<float>(1, 5, 3), vec3<float>(4, 2, 3)) == vec3<float>(1, 2, 3));
+static_assert(max(vec3<float>(1, 5, 3), vec3<float>(4, 2, 3)) == vec3<float>(4, 5, 3));
 static_assert(permanent(vec3<double>(-1, 2, -3), vec3<double>(4, -5, 6), vec3<double>(-7, 8, -9)) == 450);
 static_assert(permanent(vec3<double>(1, -2, 3), vec3<double>(-4, 5, -6), vec3<double>(7, -8, 9)) == 450);
 static_assert(component(vec3<float>(1, 2, 3), 0) == 1 && component(vec3<float>(1, 2, 3), 2) == 3);

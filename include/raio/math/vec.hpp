@@ -63,6 +63,16 @@ RAIO_FN constexpr vec3<T> abs(const vec3<T>& a) {
     return {abs(a.x), abs(a.y), abs(a.z)};
 }
 
+/// Component by component.
+template <real T>
+RAIO_FN constexpr vec3<T> min(const vec3<T>& a, const vec3<T>& b) {
+    return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)};
+}
+template <real T>
+RAIO_FN constexpr vec3<T> max(const vec3<T>& a, const vec3<T>& b) {
+    return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)};
+}
+
 template <real T>
 RAIO_FN constexpr mask_t<T> is_finite(const vec3<T>& a) {
     return every(is_finite(a.x), is_finite(a.y), is_finite(a.z));

@@ -187,12 +187,6 @@ RAIO_FN constexpr W error_of_place(const crossing<W>& c, Unnoticed unnoticed) {
     return c.v;
 }
 
-/// The point at t, as seen from another.
-template <class W, real R, real T>
-RAIO_FN constexpr vec3<W> seen_from(const vec3<T>& base, const ray<R>& ray, const W& t) {
-    return difference_as<W>(ray.origin, base) + product_as<W>(ray.direction, t);
-}
-
 /// Keeps only crossings whose point has coordinates in the range of T: a shape without end may be crossed beyond it.
 template <real T, class Line, class W>
 RAIO_FN constexpr void keep_if_in_range(const Line& line, crossing<W>& c) {

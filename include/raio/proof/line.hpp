@@ -81,19 +81,10 @@ RAIO_FN constexpr line<W, R> line_in(const ray<R>& ray) {
     return line<W, R>(ray);
 }
 
-/// The same questions put to a ray as it is and to one that was mapped (proof/mapped_ray.hpp): as whom it has been
-/// asked for, where it starts and where it goes as the shape sees it.
+/// The ray as it was asked for: before all maps, if it was mapped (proof/mapped_ray.hpp).
 template <real T>
 RAIO_FN constexpr const ray<T>& unmapped(const ray<T>& ray) {
     return ray;
-}
-template <class W, class Ray>
-RAIO_FN constexpr vec3<W> origin_as(const Ray& ray) {
-    return vector_in(line_in<W>(ray).origin());
-}
-template <class W, class Ray>
-RAIO_FN constexpr vec3<W> direction_as(const Ray& ray) {
-    return vector_in(line_in<W>(ray).direction());
 }
 
 namespace detail {

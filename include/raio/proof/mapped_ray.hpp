@@ -222,11 +222,6 @@ template <real T>
 RAIO_FN constexpr const ray<T>& unmapped(const mapped_ray<T>& ray) {
     return ray.world();
 }
-template <class W, real T, real V>
-RAIO_FN constexpr vec3<W> seen_from(const vec3<V>& p, const mapped_ray<T>& ray, const W& t) {
-    const auto& line = line_in<W>(ray);
-    return vector_in(line.from(p)) + vector_in(line.direction()) * t;
-}
 
 namespace detail {
 

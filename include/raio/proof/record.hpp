@@ -32,8 +32,7 @@ RAIO_FN constexpr T least_recorded_error(const T& t) {
 /// A bound of a point's error, of which what is beyond the largest number, or no number, counts as that.
 template <real T>
 RAIO_FN constexpr vec3<T> finite_error(const vec3<T>& error) {
-    const T most(std::numeric_limits<scalar_t<T>>::max());
-    return {min(most, error.x), min(most, error.y), min(most, error.z)};
+    return min(vec3<T>(T(std::numeric_limits<scalar_t<T>>::max())), error);
 }
 
 /// Half of what spawned rays need to be certain, in double_double, that they leave a surface of that size.
@@ -69,10 +68,13 @@ public:
     /// From p to the point.
     template <real V>
     RAIO_FN constexpr vec3<W> from(const vec3<V>& p) const {
-        return seen_from(p, ray_, crossing_.t);
+        const auto& line = line_in<W>(ray_);
+        return vector_in(line.from(p)) + vector_in(line.direction()) * crossing_.t;
     }
-    RAIO_FN constexpr vec3<W> position() const { return origin_as<W>(ray_) + direction_as<W>(ray_) * crossing_.t; }
-    RAIO_FN constexpr vec3<W> direction() const { return direction_as<W>(ray_); }
+    RAIO_FN constexpr vec3<W> position() const {
+        return vector_in(line_in<W>(ray_).origin()) + direction() * crossing_.t;
+    }
+    RAIO_FN constexpr vec3<W> direction() const { return vector_in(line_in<W>(ray_).direction()); }
     /// The ray's line, as the formula has seen it.
     RAIO_FN constexpr auto line() const { return line_in<W>(ray_); }
     /// How far along the ray the exact point may be, as a length.
