@@ -71,12 +71,17 @@ TEST_CASE("crossing_list: roots are crossed as the signs beside them say, and ta
 
 TEST_CASE("crossing_list: what cannot be told from the ray's origin is there") {
     crossing_list<double, 4> list;
-    CHECK(!list.touches_origin());
+    const auto asks = [&](bool starts) {
+        bool asked = false;
+        start_on_surface(list, [&] { return asked = true, starts; });
+        return asked;
+    };
+    CHECK(!asks(true));
     list.append(at(-3, 1)), list.append(at(2, 1));
-    CHECK(!list.touches_origin());
+    CHECK(!asks(true));
     list.append(at(0.5, 0.5));
-    CHECK(list.touches_origin());
-    list.start_at_origin();
+    CHECK((asks(false) && list.crossings[2].t == 0.5));
+    CHECK(asks(true));
     CHECK((list.crossings[0].t == -3 && list.crossings[1].t == 2 && list.crossings[2].t == 0));
 }
 

@@ -110,6 +110,16 @@ RAIO_FN constexpr polynomial_roots<W, N> known_roots_between(const polynomial<W,
     return roots;
 }
 
+/// Is a polynomial zero or below at the low end of an interval? The first of its roots there says so, if there is one.
+/// Not, if the polynomial is out of range.
+template <real W, std::size_t N>
+RAIO_FN constexpr bool begins_below_zero(const polynomial<W, N>& p, const polynomial_roots<W, N>& roots, const W& low,
+                                         const W& high) {
+    using E = bound_t<W>;
+    if (!is_finite(p.noise()(max(E(abs(low)), E(abs(high)))))) return false;
+    return roots.count == 0 ? p(low) <= W(0) : roots.begin()->sign_before <= 0;
+}
+
 /// From one place to another. What is not known of an end counts: the stretch is as long as it may be.
 template <real W>
 struct stretch {
@@ -144,9 +154,7 @@ RAIO_FN constexpr stretches<W, N> stretches_below_zero(const polynomial<W, N>& p
     const polynomial_roots<W, N> roots = roots_between(p, low, high);
     stretches<W, N> found;
     found.certain = roots.certain;
-    // Out of range there is none.
-    const bool begins_below = roots.count == 0 ? p(low) <= W(0) : roots.begin()->sign_before <= 0;
-    bool within = begins_below && is_finite(p.noise()(max(E(abs(low)), E(abs(high)))));
+    bool within = begins_below_zero(p, roots, low, high);
     const auto add = [&](const bounded_number<W>& from, const bounded_number<W>& to) {
         found.places[found.count++] = {from, to};
     };

@@ -68,14 +68,7 @@ struct crossing_list {
     requires requires(const Found found) { bool(found.certain); }
     RAIO_FN constexpr void depends_on(const Found& found) { certain = certain && found.certain; }
 
-    /// May the line start on the surface?
-    RAIO_FN constexpr bool touches_origin() const {
-        for (const crossing<W>& c : *this) {
-            if (raio::touches_origin(c)) return true;
-        }
-        return false;
-    }
-    /// It does.
+    /// The line starts on the surface.
     RAIO_FN constexpr void start_at_origin() {
         for (std::size_t i = 0; i < count; ++i) raio::start_at_origin(crossings[i], true);
     }
@@ -99,7 +92,9 @@ RAIO_FN constexpr void sort_by_t(crossing_list<W, 2>& list) {
 /// \param starts  does it? Asked only then
 template <class W, std::size_t N>
 RAIO_FN constexpr void start_on_surface(crossing_list<W, N>& list, auto starts) {
-    if (list.touches_origin() && starts()) list.start_at_origin();
+    bool touches = false;
+    for (const crossing<W>& c : list) touches = touches || touches_origin(c);
+    if (touches && starts()) list.start_at_origin();
 }
 
 /// The same crossings as a list.
@@ -187,29 +182,26 @@ concept lists_crossings = !has_lanes<typename Shape::number> && requires(const S
 
 /// Where the line is inside a solid whose crossings these are: from where it enters to where it leaves next.
 template <real T, std::size_t N>
-class spans_of_crossings {
-public:
+struct spans_of_crossings {
+    spans<T, N / 2> inside;
+    T entered = -infinity<T>;
+
     template <class W>
     RAIO_FN constexpr void take(const crossing<W>& c) {
         if (!c.exists) return;
         if (c.entering) {
-            entered_ = T(c.t);
+            entered = T(c.t);
         } else {
-            inside_.append({entered_, T(c.t)});
+            inside.append({entered, T(c.t)});
         }
     }
-    RAIO_FN constexpr const spans<T, N / 2>& inside() const { return inside_; }
-
-private:
-    spans<T, N / 2> inside_;
-    T entered_ = -infinity<T>;
 };
 
 template <real T, class W, std::size_t N>
 RAIO_FN constexpr spans<T, N / 2> spans_between(const crossing_list<W, N>& list) {
     spans_of_crossings<T, N> found;
     for (const crossing<W>& c : list) found.take(c);
-    return found.inside();
+    return found.inside;
 }
 template <real T, class W>
 RAIO_FN constexpr spans<T, 2> spans_between(const chord_pair<W>& c) {
@@ -229,7 +221,7 @@ requires detail::lists_crossings<Shape, Ray> RAIO_FN constexpr auto inside_of(co
             found.take(c);
             return false;
         });
-        return found.inside();
+        return found.inside;
     } else {
         return spans_between<T>(exact());
     }

@@ -14,26 +14,6 @@
 
 namespace raio::inline RAIO_ABI {
 
-/// What is told of the roots of f along a part of a line.
-template <class W, std::size_t N>
-struct roots_along {
-    polynomial_roots<W, N> roots;
-    bool begins_inside;  ///< is f negative, or may it be, before the first of them?
-};
-
-/// The roots of f in [low, high]; none and nothing inside, and that not certain, if f is out of range. The first root
-/// is among them, wanted or not: it says what is inside.
-template <class W, std::size_t N>
-RAIO_FN constexpr roots_along<W, N> find_roots(const polynomial<W, N>& f, const W& low, const W& high,
-                                               wanted_roots<W> wanted = {}) {
-    using E = bound_t<W>;
-    wanted.before = -infinity<E>;
-    roots_along<W, N> found{roots_between(f, low, high, wanted), false};
-    if (!is_finite(f.noise()(E(1)))) return found;
-    found.begins_inside = found.roots.count == 0 ? f(low) <= W(0) : found.roots.begin()->sign_before <= 0;
-    return found;
-}
-
 namespace detail {
 
 /// The places x that lie between the ends of a chord, and a little beyond it.
@@ -69,7 +49,9 @@ RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W,
                                                              const chord<W>& clip, const wanted_roots<W>& wanted) {
     using E = bound_t<W>;
     const vec2<W> range = detail::range_of(clip, part);
-    const auto [roots, begins_inside] = find_roots(f, range.x, range.y, detail::within(clip, part, wanted));
+    wanted_roots<W> clipped = detail::within(clip, part, wanted);
+    clipped.before = -infinity<E>;  // the first root says what is inside
+    const auto roots = roots_between(f, range.x, range.y, clipped);
     crossings_of_degree<W, N> list;
     list.certain = roots.certain;
     const auto append = [&](const chord<W>& inside) {
@@ -82,7 +64,7 @@ RAIO_FN constexpr crossings_of_degree<W, N> closed_crossings(const polynomial<W,
     };
     const chord<W> line = everywhere<W>();
     chord<W> inside = line;
-    bool within = begins_inside;
+    bool within = begins_below_zero(f, roots, range.x, range.y);
     for (const polynomial_root<W>& root : roots) {
         // Where f is zero to the end of the range, that counts as inside.
         const bool touches = root.sign_before * root.sign_after > 0, goes_on = root.sign_after <= 0;
@@ -142,9 +124,11 @@ struct piecewise_walk {
     polynomial_root<W> begin{}, end{};  ///< of what is open; there is an end if it runs along the surface
 
     RAIO_FN constexpr void cross(const polynomial<W, 4>& f, const W& low, const W& high) {
-        const auto [roots, begins_inside] = find_roots(f, low, high, wanted);
-        list.certain = list.certain && roots.certain;
-        if (roots.count == 0) return reach(begins_inside ? -1 : 1);
+        wanted_roots<W> also_first = wanted;
+        also_first.before = -infinity<bound_t<W>>;  // the first root says what is inside
+        const auto roots = roots_between(f, low, high, also_first);
+        list.depends_on(roots);
+        if (roots.count == 0) return reach(begins_below_zero(f, roots, low, high) ? -1 : 1);
         for (const polynomial_root<W>& root : roots) {
             if (root.sign_before != 0) reach(root.sign_before);
             // (About a tangent a piece that is shorter than the root of the noise, which is below 2^-16, is zero to
@@ -175,15 +159,11 @@ struct piecewise_walk {
         if (is_open) {
             // What lies in the surface belongs to the solid: it is entered where that begins, and left where it ends.
             const polynomial_root<W>& last = is_along && next > 0 ? end : begin;
-            append(sign > 0 ? begin : last, sign > 0);
-            if (sign == next) append(last, sign < 0);
+            list.append(part.at(sign > 0 ? begin : last, sign > 0));
+            if (sign == next) list.append(part.at(last, sign < 0));
             is_done = bound_t<W>(begin.t) - begin.error > wanted.from;
         }
         is_open = is_along = false, sign = next;
-    }
-
-    RAIO_FN constexpr void append(const polynomial_root<W>& root, bool entering) {
-        list.append(part.at(root, entering));
     }
 };
 
