@@ -34,6 +34,13 @@ TEST_CASE_TEMPLATE("latitude: named angles", T, RAIO_NUMBERS) {
     CHECK(latitude(-one, one) == doctest::Approx(0.25));
 }
 
+TEST_CASE("uv_about: turns from x to y about z, and what is along it within [0, 1]") {
+    const frame<double> f = frame_about(vec3<double>(0, 0, 1));
+    CHECK(uv_about(f, vec3<double>(f.y * 3.0 + f.z), 0.75f) == vec2<float>(0.25f, 0.75f));
+    CHECK(uv_about(f, vec3<double>(-f.x), 1.5f) == vec2<float>(0.5f, 1));
+    CHECK(uv_about(f, f.x, -0.5f) == vec2<float>(0, 0));
+}
+
 TEST_CASE_TEMPLATE("fraction: below one, and 0 of what has none", T, RAIO_NUMBERS) {
     CHECK((fraction(T(2.25)) == T(0.25) && fraction(T(-0.25)) == T(0.75)));
     CHECK((fraction(T(3)) == T(0) && fraction(T(-1e-30)) == T(0) && fraction(infinity<T>) == T(0)));

@@ -35,6 +35,17 @@ RAIO_FN constexpr auto cross_cap_planes(const vec3<T>& base, const vec3<T>& top,
     return cross_slab(axis, dot(axis, line.to(base)), dot(axis, line.to(top)), line.direction());
 }
 
+/// What the planes of the caps leave of a chord that goes on beyond them: of a solid the part between them, of a side
+/// alone those ends that are.
+template <bool Closed, class W, class Line, real T>
+RAIO_FN constexpr chord<W> between_caps(const chord<W>& endless, const vec3<T>& base, const vec3<T>& top,
+                                        const Line& line) {
+    if (missed(endless)) return endless;
+    auto c = cut<Closed>(endless, cross_cap_planes(base, top, line));
+    keep_if_in_range<T>(line, c);  // no point beyond the largest number
+    return c;
+}
+
 /// The chord below the plane of the upper cap alone.
 template <class Line, real T>
 RAIO_FN constexpr auto cross_upper_plane(const vec3<T>& base, const vec3<T>& top, const Line& line) {
@@ -86,8 +97,7 @@ RAIO_FN constexpr void axial_surface(Point& at, const vec3<T>& base, const vec3<
     at.record_uv([&] {  // angles do not ask for unit length
         const frame<Q> f = frame_about(up, length(up));
         const T rho(quotient(length(from_axis), Q(select(low, radii.x, radii.y)), Q(0)));
-        return vec2<T>(turns(T(dot(from_axis, f.y)), T(dot(from_axis, f.x))),
-                       max(T(0), min(T(1), select(side, T(height), rho))));
+        return uv_about(f, from_axis, select(side, T(height), rho));
     });
 }
 

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include <raio/math/frame.hpp>
 #include <raio/number/real.hpp>
 
 namespace raio::inline RAIO_ABI {
@@ -59,6 +60,13 @@ RAIO_FN constexpr T turns(const T& y, const T& x) {
     const T half = right * detail::quadrant_turns(abs(y), abs(x)) + (T(0.25) - right * T(0.25));
     const T turn = up * half + (T(0.5) - up * T(0.5));
     return select(turn < T(1), turn, T(0));  // a tiny negative angle rounds up to a full turn
+}
+
+/// uv about an axis: u is the angle of a vector about the z axis of a frame, from its x axis, in turns; v is what is
+/// given, kept from 0 to 1.
+template <real T, real Q>
+RAIO_FN constexpr vec2<T> uv_about(const frame<Q>& f, const vec3<Q>& vector, const T& v) {
+    return {turns(T(dot(vector, f.y)), T(dot(vector, f.x))), max(T(0), min(T(1), v))};
 }
 
 /// The latitude of a direction whose height over the equator is y and whose distance from the axis is rho: 0 straight

@@ -105,6 +105,12 @@ RAIO_FN constexpr chord<W> only_if(const verdict<mask_t<W>>& holds, chord<W> c) 
     return c;
 }
 
+/// The same in place, where there is no doubt whether it holds.
+template <class Mask, class W>
+RAIO_FN constexpr void keep_if(const Mask& holds, chord<W>& c) {
+    c.near.exists = every(c.near.exists, holds), c.far.exists = every(c.far.exists, holds);
+}
+
 /// The chord of a line that misses; beyond doubt, unless it says otherwise.
 template <class W>
 RAIO_FN constexpr chord<W> nowhere(const mask_t<W>& certain = mask_t<W>(true)) {

@@ -16,11 +16,6 @@ struct hollow_chord {
     mask_t<W> hollow;
 };
 
-template <class W>
-RAIO_FN constexpr bool missed(const hollow_chord<W>& c) {
-    return missed(c.ends);
-}
-
 /// Is a t^2 - 2 b t + c above zero everywhere, beyond doubt?
 /// \param square  b^2 - a c
 template <class W>

@@ -194,8 +194,7 @@ RAIO_FORMULA constexpr auto every_end(const Shape& shape, const Line& line) {
         auto c = shape.inside(line);
         const bound_t<W> speed = most_of(line.direction());
         const mask_t<W> is_line = every(speed > bound_t<W>(0), is_finite(speed), is_finite(most_of(line.origin())));
-        const mask_t<W> ends = some(is_finite(c.near.t), is_finite(c.far.t), is_line);
-        c.near.exists = every(c.near.exists, ends), c.far.exists = every(c.far.exists, ends);
+        keep_if(some(is_finite(c.near.t), is_finite(c.far.t), is_line), c);
         return c;
     } else {
         return shape.crossings(line);

@@ -91,10 +91,10 @@ struct bezier_curve {
         at.record_gradient(from_center);
         at.record_uv([&] {
             using Q = typename Point::precise;
-            vec3<Q> onwards(scaled_into_range<Q>(vec3<Q>(ahead))), outward(from_center);
+            vec3<Q> onwards(scaled_into_range<Q>(vec3<Q>(ahead)));
             const bool still = !(norm1(onwards) > Q(0));
             const frame<Q> f = frame_about(still ? vec3<Q>(Q(0), Q(0), Q(1)) : normalize(onwards));
-            return vec2<T>(turns(T(dot(outward, f.y)), T(dot(outward, f.x))), max(T(0), min(T(1), T(u))));
+            return uv_about(f, vec3<Q>(from_center), T(u));
         });
     }
 

@@ -65,8 +65,9 @@ struct bilinear_patch {
         using W = typename Point::number;
         using Q = typename Point::precise;
         const W &u = at.crossing().u, &v = at.crossing().v;
-        const auto [edge_u, edge_v, far] = edges<W>();
-        vec3<W> twist = far - edge_v, reach = abs(far) + abs(edge_v);
+        // A, w and w + D. The magnitudes of the two that D is the difference of bound what its roundings are parts of.
+        vec3<W> edge_u = difference_as<W>(p10, p00), edge_v = difference_as<W>(p01, p00);
+        vec3<W> far = difference_as<W>(p11, p10), twist = far - edge_v, reach = abs(far) + abs(edge_v);
         // What floats make has room in double as it is; to scale it would lose a short edge beside a long one.
         W quarter(0.25), size = norm1(edge_u * quarter) + norm1(reach * quarter),
                          scale = has_room_for<T, W> ? W(1) : quarter / size;
@@ -189,16 +190,6 @@ private:
         const auto other = w10 * w01;
         const auto within = [&](const auto& x) { return abs(x - all * half) <= abs(all) * half; };
         return every(product <= other, product >= other, within(u), within(v));
-    }
-
-    /// A, w and w + D. The magnitudes of the two that D is the difference of bound what its roundings are parts of.
-    template <class W>
-    struct edge_vectors {
-        vec3<W> edge_u, edge_v, far;
-    };
-    template <class W>
-    RAIO_FN constexpr edge_vectors<W> edges() const {
-        return {difference_as<W>(p10, p00), difference_as<W>(p01, p00), difference_as<W>(p11, p10)};
     }
 
     RAIO_FN constexpr aabb<T> corners() const {

@@ -69,7 +69,9 @@ struct box {
                 c.near.face = c.far.face = index_t<W>(axis);
                 return c;
             };
-            return with_faces(intersect(intersect(slab(0), slab(1)), slab(2)), has_faces());
+            chord<W> c = intersect(intersect(slab(0), slab(1)), slab(2));
+            keep_if(has_faces(), c);
+            return c;
         } else if constexpr (has_closer_look<W> || is_believed<W>) {
             return crossings_at_once<W>(line.ray);
         } else {
@@ -77,8 +79,9 @@ struct box {
             chord<W> x = between_faces<W>(origin.x, direction.x, min.x, max.x, 0);
             chord<W> y = between_faces<W>(origin.y, direction.y, min.y, max.y, 1);
             chord<W> z = between_faces<W>(origin.z, direction.z, min.z, max.z, 2);
-            return with_faces(intersect(intersect(x, y), z),
-                              every(has_faces(), is_finite(origin), is_finite(direction)));
+            chord<W> c = intersect(intersect(x, y), z);
+            keep_if(every(has_faces(), is_finite(origin), is_finite(direction)), c);
+            return c;
         }
     }
 
@@ -92,13 +95,6 @@ struct box {
     }
 
 private:
-    /// The same chord, if there are faces to end it.
-    template <class W>
-    RAIO_FN static constexpr chord<W> with_faces(chord<W> c, const mask_t<W>& exist) {
-        c.near.exists = every(c.near.exists, exist), c.far.exists = every(c.far.exists, exist);
-        return c;
-    }
-
     /// Of the three sizes the least may be zero, the middle one may not.
     RAIO_FN constexpr mask_t<T> has_faces() const {
         vec3<T> size = max - min;

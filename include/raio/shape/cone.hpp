@@ -76,11 +76,7 @@ struct cone {
         const zero_number<typename Line::number> zero;
         const turned_conic nappes{zero, zero, r * r, zero};  // c0, c1, c2 and c1^2 - c0 c2, of both nappes
         auto endless = detail::one_nappe(cross_quadric(d, line.to(apex), axis, nappes, r), dot(d, axis));
-        if (missed(endless)) return endless;
-        // Of a solid the part of the chord between the planes of base and apex; of a side alone those ends that are.
-        auto c = cut<Closed>(endless, detail::cross_cap_planes(base, apex, line));
-        keep_if_in_range<T>(line, c);  // no point beyond the largest number
-        return c;
+        return detail::between_caps<Closed>(endless, base, apex, line);
     }
 
     template <class Point>

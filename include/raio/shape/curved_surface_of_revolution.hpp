@@ -52,9 +52,7 @@ struct revolved_piece<T, 3> {
         at.record_gradient(outward_normal(curve, s, p));
         at.record_uv([&] {
             const vec3<W> e = curve.axis();
-            const frame<Q> f = frame_about(vec3<Q>(e));
-            vec3<Q> beside(p - e * dot(p, e));
-            return vec2<T>(turns(T(dot(beside, f.y)), T(dot(beside, f.x))), max(T(0), min(T(1), T(s))));
+            return uv_about(frame_about(vec3<Q>(e)), vec3<Q>(p - e * dot(p, e)), T(s));
         });
     }
 
@@ -65,16 +63,9 @@ private:
     RAIO_FN constexpr curve_beside_axis<W> beside_axis() const {
         const given_vector<W> a{W(axis.x), W(axis.y), W(axis.z)};
         const auto unit = sqrt(square(a));
-        return {radii<W>(), heights<W>() * unit, a * inverse(unit)};
-    }
-
-    template <class W>
-    RAIO_FN constexpr polynomial<W, 3> radii() const {
-        return bezier_polynomial<W>(p0.x, p1.x, p2.x, p3.x);
-    }
-    template <class W>
-    RAIO_FN constexpr polynomial<W, 3> heights() const {
-        return bezier_polynomial<W>(p0.y, p1.y, p2.y, p3.y);
+        const polynomial<W, 3> radii = bezier_polynomial<W>(p0.x, p1.x, p2.x, p3.x);
+        const polynomial<W, 3> heights = bezier_polynomial<W>(p0.y, p1.y, p2.y, p3.y);
+        return {radii, heights * unit, a * inverse(unit)};
     }
 };
 

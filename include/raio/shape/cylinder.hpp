@@ -103,11 +103,7 @@ struct cylinder {
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         auto endless = detail::cross_endless_cylinder(base, top, radius, line);
-        if (missed(endless)) return endless;
-        // Of a solid the part of the chord between the planes of the caps; of a side alone those ends that are.
-        auto c = cut<Closed>(endless, detail::cross_cap_planes(base, top, line));
-        keep_if_in_range<T>(line, c);  // no point beyond the largest number
-        return c;
+        return detail::between_caps<Closed>(endless, base, top, line);
     }
 
     template <class Point>

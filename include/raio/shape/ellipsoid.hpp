@@ -51,9 +51,7 @@ struct ellipsoid {
             return power_of_point<2, W>(exactly * difference_as<D>(center, origin), D(radii.x) * exactly.x);
         };
         chord<W> c = cross_sphere_along<T>(line, stretch * line.to(center), stretch * line.direction(), radius, power);
-        const mask_t<T> sound = every(radii.x > T(0), radii.y > T(0), radii.z > T(0));
-        c.near.exists = every(c.near.exists, sound);
-        c.far.exists = every(c.far.exists, sound);
+        keep_if(every(radii.x > T(0), radii.y > T(0), radii.z > T(0)), c);
         return c;
     }
 

@@ -48,8 +48,7 @@ RAIO_FN constexpr auto cross_nappe(const Line& line, const L& l, const A& axis, 
     zero_number<W> zero;
     turned_conic side{r * r, r * widening, widening * widening, zero};
     chord<W> c = one_nappe(cross_quadric(d, l, axis, side, line.given(greater)), dot(d, axis));
-    const mask_t<W> sound = every(lesser >= T(0), greater >= T(0));
-    c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
+    keep_if(every(lesser >= T(0), greater >= T(0)), c);
     return c;
 }
 template <class Line, real T>
@@ -107,10 +106,7 @@ struct frustum {
     template <class Line>
     RAIO_FORMULA constexpr chord<typename Line::number> crossings(const Line& line) const {
         auto endless = detail::cross_nappe(base, top, radii(), line);
-        if (missed(endless)) return endless;
-        auto c = cut<Closed>(endless, detail::cross_cap_planes(base, top, line));
-        keep_if_in_range<T>(line, c);  // no point beyond the largest number
-        return c;
+        return detail::between_caps<Closed>(endless, base, top, line);
     }
 
     template <class Point>

@@ -46,16 +46,12 @@ RAIO_FN constexpr auto cross_hyperboloid(const vec3<T>& base, const vec3<T>& top
     auto endless =
         cross_quadric(line.direction(), line.to_middle(base, top), line.between(base, top), side, line.given(radius));
     if constexpr (Closed) {
-        if (missed(endless)) return nowhere_at_all(endless.ends, wanted);
+        if (missed(endless.ends)) return nowhere_at_all(endless.ends, wanted);
         auto parts = intersect(endless, cross_cap_planes(base, top, line), wanted);
         keep_if_in_range<T>(line, parts);  // no point beyond the largest number
         return parts;
     } else {
-        auto ends = endless.ends;
-        if (missed(ends)) return ends;
-        ends = cut<false>(ends, cross_cap_planes(base, top, line));
-        keep_if_in_range<T>(line, ends);  // no point beyond the largest number
-        return ends;
+        return between_caps<false>(endless.ends, base, top, line);
     }
 }
 

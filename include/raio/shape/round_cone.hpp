@@ -72,8 +72,7 @@ struct round_cone {
         auto lesser = line.given(min(base_radius, top_radius));
         auto slim = line.given(T(0x1p-120));
         c = only_if(every(is_positive(lesser), lesser * lesser >= square(line.between(base, top)) * slim), c);
-        const mask_t<T> sound = every(is_finite(base), is_finite(top), is_finite(base_radius + top_radius));
-        c.near.exists = every(c.near.exists, sound), c.far.exists = every(c.far.exists, sound);
+        keep_if(every(is_finite(base), is_finite(top), is_finite(base_radius + top_radius)), c);
         keep_if_in_range<T>(line, c);  // no point beyond the largest number
         return c;
     }
@@ -96,8 +95,7 @@ struct round_cone {
             vec3<T> up(normalize(select(axis2 > W(0), vec3<Q>(axis), vec3<Q>(Q(0), Q(0), Q(1))))), from_center(outward);
             const frame<T> f = frame_about(up);
             const W size = sqrt(axis2), height = quotient(along, size, from_base.z);  // without an axis, along z
-            return vec2<T>(turns(dot(from_center, f.y), dot(from_center, f.x)),
-                           max(T(0), min(T(1), (T(height) + base_radius) / (T(size) + base_radius + top_radius))));
+            return uv_about(f, from_center, T((T(height) + base_radius) / (T(size) + base_radius + top_radius)));
         });
     }
 

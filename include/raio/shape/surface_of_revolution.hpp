@@ -73,7 +73,7 @@ struct revolved_piece<T, 1> {
             const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(a)));
             const vec3<Q> beside(from_axis);
             const Q rho = length(beside), low(from.x), part = is_flat() ? (rho - low) / (Q(to.x) - low) : Q(height);
-            return vec2<T>(turns(T(dot(beside, f.y)), T(dot(beside, f.x))), max(T(0), min(T(1), T(part))));
+            return uv_about(f, beside, T(part));
         });
     }
 

@@ -80,11 +80,7 @@ struct teardrop {
         at.record_point(bend < Q(most) ? T(bend) : most);
         at.keep_in([this] { return bounds(); });
         at.record_gradient(from_axis * W(27) - axis * slope);
-        at.record_uv([&] {
-            const frame<Q> f = frame_about(normalize_from<T>(vec3<Q>(axis)));
-            vec3<Q> beside(from_axis);
-            return vec2<T>(turns(T(dot(beside, f.y)), T(dot(beside, f.x))), raio::max(T(0), raio::min(T(1), T(h))));
-        });
+        at.record_uv([&] { return uv_about(frame_about(normalize_from<T>(vec3<Q>(axis))), vec3<Q>(from_axis), T(h)); });
     }
 
 private:
