@@ -258,14 +258,7 @@ RAIO_FN constexpr bounded_number<W> ratio(const bounded_vector<W>& a, const boun
 template <proven_vector A, proven_vector B>
 RAIO_FN constexpr auto operator+(const A& a, const B& b) {
     using W = typename A::number;
-    const auto error_of = []<class V>(const V& v) {
-        if constexpr (requires { v.error; }) {
-            return v.error;
-        } else {
-            return detail::error_of_product(0, v, given_vector<W>{W(1), W(0), W(0)});
-        }
-    };
-    bounded_vector<W> sum{a.x + b.x, a.y + b.y, a.z + b.z, error_of(a) + error_of(b)};
+    bounded_vector<W> sum{a.x + b.x, a.y + b.y, a.z + b.z, detail::error_of(a) + detail::error_of(b)};
     sum.error = sum.error + detail::error_of_sum<W>(size_of(sum), size_of(a), size_of(b));
     return sum;
 }
@@ -297,17 +290,10 @@ RAIO_FN constexpr rounded_vector<W, K + L + 1> operator*(const rounded_vector<W,
 template <proven_vector V, proven_number S>
 RAIO_FN constexpr auto operator*(const V& v, const S& s) {
     using W = typename V::number;
-    return bounded_vector<W>{
-        v.x * s.value, v.y * s.value, v.z * s.value, [&] {
-            const bounded_number<W> factor = s;
-            const bound_t<W> size = size_of(v), rounding = detail::roundings<W>(1, size * size_of(s));
-            if constexpr (requires { v.error; }) {
-                return v.error * (size_of(s) + factor.error) + size * factor.error + rounding;
-            } else {
-                return detail::error_of_product(0, v, given_vector<W>{W(factor.error + size_of(s)), W(0), W(0)}) +
-                       size * factor.error + rounding;
-            }
-        }()};
+    const bounded_number<W> factor = s;
+    const bound_t<W> size = size_of(v), rounding = detail::roundings<W>(1, size * size_of(s));
+    return bounded_vector<W>{v.x * s.value, v.y * s.value, v.z * s.value,
+                             detail::error_of(v) * (size_of(s) + factor.error) + size * factor.error + rounding};
 }
 
 }  // namespace raio::inline RAIO_ABI
