@@ -81,7 +81,7 @@ TEST_CASE_TEMPLATE("leaf_blocks: a ray that was mapped, which has more digits th
     // What packs are certain of is so, from wherever the ray comes.
     random_numbers random(3);
     int sure = 0, open = 0;
-    for (int i = 0; i < at_least(20'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(20'000); ++i) {
         const transform<T> map = rotation(vec3<T>(random.direction()), T(random.uniform(-3, 3))) *
                                  scaling<T>(vec3<T>(vec3<double>(random.log_uniform(0.1, 10))));
         const inverse_map<T> inverse(map);
@@ -102,8 +102,8 @@ TEST_CASE_TEMPLATE("leaf_blocks: a ray that was mapped, which has more digits th
             if (is_sure && detail::keeps_all_digits<T>) REQUIRE(found.low[lane] == found.high[lane]);
         }
     }
-    CHECK(sure > at_least(5'000));
-    CHECK(open < at_least(4'000));
+    CHECK(sure > at_least_a_tenth_of(5'000));
+    CHECK(open < at_least_a_tenth_of(4'000));
 }
 
 TEST_CASE_TEMPLATE("leaf_list: shapes with their ids, each a leaf", T, RAIO_NUMBERS) {

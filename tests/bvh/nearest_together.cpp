@@ -53,7 +53,7 @@ void ask_all(const std::vector<Shape>& shapes, std::uint32_t first_id, const ray
 TEST_CASE_TEMPLATE("nearest_together: what each ray finds alone, whoever is in the lanes", T, RAIO_NUMBERS) {
     random_numbers random(5);
     int hits = 0, left_out = 0;
-    for (int i = 0; i < at_least(300); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(300); ++i) {
         kinds<T> leaves;
         const auto triangles = fill<triangle<T>>(random, std::get<0>(leaves.all), 0);
         const auto spheres = fill<sphere<T>>(random, std::get<1>(leaves.all), 100);
@@ -98,8 +98,8 @@ TEST_CASE_TEMPLATE("nearest_together: what each ray finds alone, whoever is in t
             hits += exists ? 1 : 0;
         }
     }
-    CHECK(hits > 300);
-    CHECK(left_out > 50);
+    CHECK(hits > at_least_a_tenth_of(300));
+    CHECK(left_out > at_least_a_tenth_of(50));
 }
 
 TEST_CASE_TEMPLATE("rays_in_lanes: each in its place, and the last as often as there is room", T, RAIO_NUMBERS) {

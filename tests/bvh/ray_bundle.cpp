@@ -39,7 +39,7 @@ std::vector<ray<T>> random_bundle(random_numbers& random) {
 TEST_CASE_TEMPLATE("ray_bundle: meets what each of its rays meets", T, RAIO_NUMBERS) {
     random_numbers random(1);
     int bundles = 0, met_by_rays = 0, out_together = 0;
-    for (int i = 0; i < at_least(50'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(50'000); ++i) {
         const std::vector<ray<T>> rays = random_bundle<T>(random);
         const ray_bundle bundle(std::span<const ray<T>>(rays), T(1), random_box_reach);
         if (!bundle.is_coherent()) continue;
@@ -89,8 +89,8 @@ TEST_CASE_TEMPLATE("ray_bundle: meets what each of its rays meets", T, RAIO_NUMB
             }
         }
     }
-    CHECK(bundles > 10'000);
-    CHECK(met_by_rays > 2000);
+    CHECK(bundles > at_least_a_tenth_of(10'000));
+    CHECK(met_by_rays > at_least_a_tenth_of(2000));
     CHECK(out_together > bundles / 2);
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("together: each ray is shown all leaves with shapes that it meets, and
     int bundles = 0;
     int left_out = 0;
     std::size_t shown = 0, blocks = 0;
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(500); ++i) {
         const balls_and_rays all(random);
         const auto& leaves = std::get<0>(all.tree.leaves.all);
         std::vector<std::vector<bool>> seen(all.rays.size(), std::vector<bool>(leaves.size()));
@@ -91,7 +91,7 @@ TEST_CASE("together: each ray is shown all leaves with shapes that it meets, and
             }
         }
     }
-    CHECK(bundles > 100);
+    CHECK(bundles > at_least_a_tenth_of(100));
     CHECK(shown < blocks / 4);
     CHECK(left_out > bundles);
 }
@@ -99,7 +99,7 @@ TEST_CASE("together: each ray is shown all leaves with shapes that it meets, and
 TEST_CASE("together: a ray that wants no more is shown no more, the others are") {
     random_numbers random(32);
     int bundles = 0, more = 0;
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(500); ++i) {
         const balls_and_rays all(random);
         std::vector<int> count(all.rays.size(), 0);
         bundles += all.visit(
@@ -110,8 +110,8 @@ TEST_CASE("together: a ray that wants no more is shown no more, the others are")
         CHECK(count[0] <= 1);
         more += std::ranges::any_of(count, [](int n) { return n > 1; }) ? 1 : 0;
     }
-    CHECK(bundles > 100);
-    CHECK(more > 100);
+    CHECK(bundles > at_least_a_tenth_of(100));
+    CHECK(more > at_least_a_tenth_of(100));
 }
 
 TEST_CASE("together: nothing is done for rays of which one runs another way, or nowhere") {

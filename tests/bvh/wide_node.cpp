@@ -42,7 +42,7 @@ TEST_CASE("wide_node: boxes come out as they went in, places without one stay em
 TEST_CASE_TEMPLATE("node_ray: meets what the ray meets", T, RAIO_NUMBERS) {
     random_numbers random(2);
     int met_by_ray = 0;
-    for (int i = 0; i < at_least(100'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(100'000); ++i) {
         const auto count = static_cast<std::size_t>(random.integer(0, static_cast<int>(node_width)));
         const wide_node node = random_node(random, count);
         const ray<T> r = random_ray<T>(random);
@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("node_ray: meets what the ray meets", T, RAIO_NUMBERS) {
             if (is_met) REQUIRE(!within_box(r, node.box(j), a_little_more, 1e-3).empty());
         }
     }
-    CHECK(met_by_ray > 2000);
+    CHECK(met_by_ray > at_least_a_tenth_of(2000));
 }
 
 TEST_CASE_TEMPLATE("node_ray: boxes may be scaled, and t stays", T, RAIO_NUMBERS) {

@@ -10,7 +10,7 @@ namespace raio::test {
 
 TEST_CASE_TEMPLATE("any_primitive: answers as the primitive does, bit for bit", T, RAIO_NUMBERS) {
     random_numbers random(19);
-    for (int i = 0; i < at_least(10'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(10'000); ++i) {
         const probe<sphere<T>> p = random_probe<sphere<T>>(random);
         const any_primitive<T> any = p.shape;
         const any_solid<T> any_with_inside = p.shape;
@@ -30,7 +30,7 @@ TEST_CASE_TEMPLATE("any_primitive: answers as the primitive does, bit for bit", 
 TEST_CASE_TEMPLATE("any_primitive: under a map the ray keeps its digits", T, RAIO_NUMBERS) {
     random_numbers random(20);
     int hits = 0;
-    for (int i = 0; i < at_least(2'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(2'000); ++i) {
         const sphere<T> ball{vec3<T>(random.direction()), T(1)};
         const auto map = rotation(vec3<T>(random.direction()), T(1)) * scaling<T>({3, T(0.1), -2});
         const transformed fixed{ball, map};
@@ -47,7 +47,7 @@ TEST_CASE_TEMPLATE("any_primitive: under a map the ray keeps its digits", T, RAI
         REQUIRE(any.spans(aimed).intervals[0] == fixed.spans(aimed));
         ++hits;
     }
-    CHECK(hits > 500);
+    CHECK(hits > at_least_a_tenth_of(500));
 }
 
 TEST_CASE_TEMPLATE("any_primitive: a scene of all kinds, which share what they hold", T, RAIO_NUMBERS) {

@@ -6,6 +6,8 @@
 #include <raio/raio.hpp>
 #include <render/renderer.hpp>
 
+#include "support/random.hpp"
+
 /// \file
 /// Small scenes that are written in the tests, and the numbers that come out of them.
 
@@ -37,13 +39,15 @@ inline const integrator& integrator_named(std::string_view name) {
     return *std::ranges::find(integrators(), name, &integrator::name);
 }
 
-/// Many independent paths along one ray: their mean, and the standard error of the mean's red.
+/// Many independent paths along one ray (fewer in a short run, but 256): their mean, and the standard error of the
+/// mean's red.
 struct estimate {
     color mean{0};
     number standard_error = 0;
 };
 
 inline estimate path_estimate(const world& world, const ray& view, int paths = 4096, int depth = 50) {
+    paths = std::min(paths, std::max(256, raio::test::share_of(paths)));
     color sum(0);
     number squares = 0;
     for (int i = 0; i < paths; ++i) {

@@ -41,7 +41,7 @@ TEST_CASE_TEMPLATE("sweep: both ends at a place that is known exactly", W, stric
     random_numbers random(1);
     part_of_bound of_ends;
     int without_root = 0;
-    for (int i = 0; i < at_least(5'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(5'000); ++i) {
         extremes<W> e = random_extremes<W>(random);
         const W u(random.uniform());
         e.u = exactly(u);
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("sweep: the end that turns there is off by the square of what
     random_numbers random(2);
     part_of_bound of_end;
     int flat = 0, seen = 0;
-    for (int i = 0; i < at_least(5'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(5'000); ++i) {
         extremes<W> e = random_extremes<W>(random);
         if (e.root() == 0) continue;
         if (random.one_in(4)) {  // a root that all but vanishes

@@ -39,7 +39,7 @@ polynomial<W, 4> quartic(double m, double first_square, double second_square, do
 TEST_CASE_TEMPLATE("depressed_quartic: the first root, or that there is none", W, strict_double, double_double) {
     random_numbers random(20261124);
     int known = 0, with_root = 0, asked = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(20'000); ++i) {
         // Two roots, none, or all but one place where it touches zero, on each side; or with both pairs together.
         const auto square = [&] {
             const double size = random.one_in(3) ? random.log_uniform(1e-12, 1e-3) : random.uniform(0, 0.3);

@@ -44,7 +44,7 @@ TEST_CASE("polynomial: its largest magnitude in an interval") {
 
 TEST_CASE("polynomial: the error of a value is bounded") {
     random_numbers random(3);
-    for (int i = 0; i < at_least(20'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(20'000); ++i) {
         polynomial<strict_double, 4> p;
         for (strict_double& c : p.coefficient) c = random.uniform(-1, 1);
         const double t = random.uniform(-2, 2);
@@ -57,7 +57,7 @@ TEST_CASE("polynomial: the error of a value is bounded") {
 TEST_CASE_TEMPLATE("polynomial: the bound of a value holds, whatever was rounded off in adding it up", W, strict_double,
                    double_double) {
     random_numbers random(4);
-    for (int i = 0; i < at_least(20'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(20'000); ++i) {
         polynomial<oracle, 3> exact_a, exact_b;
         const auto a = random_polynomial<W>(random, exact_a), b = random_polynomial<W>(random, exact_b);
         const auto p = product<6>(a, b), sum = p + p;
@@ -91,7 +91,7 @@ TEST_CASE("polynomial: a derivative, a difference and a value by hand") {
 
 TEST_CASE_TEMPLATE("polynomial: the errors bound what the coefficients may be", W, strict_double, double_double) {
     random_numbers random(9);
-    for (int i = 0; i < at_least(20'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(20'000); ++i) {
         polynomial<oracle, 3> exact_a, exact_b;
         polynomial<oracle, 2> exact_c;
         const auto a = random_polynomial<W>(random, exact_a), b = random_polynomial<W>(random, exact_b);

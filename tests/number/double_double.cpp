@@ -20,7 +20,7 @@ double error_of(double_double result, const oracle& exact, const oracle& scale) 
 TEST_CASE("double_double: the error of every operation is below 2^-100") {
     random_numbers random(1);
     double sum = 0, difference = 0, product = 0, quotient = 0, root = 0;
-    for (int i = 0; i < at_least(100'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(100'000); ++i) {
         const double_double a = random_double_double(random);
         // Every other pair cancels.
         const double_double b =
@@ -48,7 +48,7 @@ TEST_CASE("double_double: the error of every operation is below 2^-100") {
 TEST_CASE("double_double: the error of a sum of products is below 2^-101 of their sizes") {
     random_numbers random(4);
     double of_two = 0, of_three = 0;
-    for (int i = 0; i < at_least(100'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(100'000); ++i) {
         const auto any = [&] {
             return double_double(random.uniform(-2, 2)) + double_double(random.uniform(-0x1p-53, 0x1p-53));
         };
@@ -75,7 +75,7 @@ TEST_CASE("double_double: of a sum of products out of range no number is left, o
 
 TEST_CASE("double_double: sums and products of doubles have no error") {
     random_numbers random(2);
-    for (int i = 0; i < at_least(100'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(100'000); ++i) {
         const double a = random.uniform(-1, 1), b = random.log_uniform(1e-15, 1);
         REQUIRE(exactly(double_double(a) + double_double(b)) == oracle(a) + oracle(b));
         REQUIRE(exactly(double_double(a) * double_double(b)) == oracle(a) * oracle(b));
@@ -95,7 +95,7 @@ TEST_CASE("double_double: sums and products in a precision take every part of wh
 
 TEST_CASE("double_double: so do products up to the end of the range") {
     random_numbers random(3);
-    for (int i = 0; i < at_least(10'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(10'000); ++i) {
         const double a = std::ldexp(random.uniform(-1, 1), random.integer(960, 1024)), b = random.log_uniform(1e-15, 1);
         REQUIRE(exactly(product_as<double_double>(a, b)) == oracle(a) * oracle(b));
         REQUIRE(exactly(product_as<double_double>(b, a)) == oracle(a) * oracle(b));

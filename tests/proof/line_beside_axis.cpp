@@ -40,7 +40,7 @@ interval<oracle> distances(const ray<double>& ray, const vec3<double>& base, con
 TEST_CASE("line_beside_axis: what a line passes by, it passes by, and it tells most of that") {
     random_numbers random(1);
     int passed = 0, not_told = 0, open = 0;
-    for (int i = 0; i < at_least(100'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(100'000); ++i) {
         const double size = random.log_uniform(1e-3, 1e3), far = size * random.log_uniform(0.1, 1e5);
         const vec3<double> base = random.direction() * (size * random.log_uniform(1e-2, 1e2));
         const vec3<double> axis = random.axis() * random.log_uniform(1e-2, 1e2);
@@ -85,8 +85,8 @@ TEST_CASE("line_beside_axis: what a line passes by, it passes by, and it tells m
         ++open;
         if (near.empty() || near.min > larger.high.x || near.max < larger.low.x) ++not_told;
     }
-    CHECK(passed > 50'000);
-    CHECK(open > 10'000);
+    CHECK(passed > at_least_a_tenth_of(50'000));
+    CHECK(open > at_least_a_tenth_of(10'000));
     CHECK(not_told < open / 200);
 }
 

@@ -11,7 +11,7 @@ TEST_CASE_TEMPLATE("normal: however close to an apex a ray comes, the normal is 
                    double) {
     random_numbers random(1);
     int hits = 0;
-    for (int i = 0; i < at_least(20'000); ++i) {
+    for (int i = 0; i < at_least_a_tenth_of(20'000); ++i) {
         const vec3<T> apex(random.direction()), base = apex + vec3<T>(random.direction());
         const open_cone<T> cone{base, apex, T(random.log_uniform(1e-3, 1e3))};
         const vec3<double> aside = random.direction() * (random.one_in(8) ? 0 : random.log_uniform(1e-20, 1e-3));
@@ -24,7 +24,7 @@ TEST_CASE_TEMPLATE("normal: however close to an apex a ray comes, the normal is 
         const T along = dot(rec.normal, ray.direction) / length(ray.direction);
         REQUIRE(along <= T(8 * unit_roundoff<T>));
     }
-    CHECK(hits > 5'000);
+    CHECK(hits > at_least_a_tenth_of(5'000));
 }
 
 TEST_CASE("normal: what is not along the way out is left") {
