@@ -36,8 +36,8 @@ TEST_CASE_TEMPLATE("latitude: named angles", T, RAIO_NUMBERS) {
 
 TEST_CASE("uv_about: turns from x to y about z, and what is along it within [0, 1]") {
     const frame<double> f = frame_about(vec3<double>(0, 0, 1));
-    CHECK(uv_about(f, vec3<double>(f.y * 3.0 + f.z), 0.75f) == vec2<float>(0.25f, 0.75f));
-    CHECK(uv_about(f, vec3<double>(-f.x), 1.5f) == vec2<float>(0.5f, 1));
+    CHECK(uv_about(f, f.y * 3.0 + f.z, 0.75f) == vec2<float>(0.25f, 0.75f));
+    CHECK(uv_about(f, -f.x, 1.5f) == vec2<float>(0.5f, 1));
     CHECK(uv_about(f, f.x, -0.5f) == vec2<float>(0, 0));
 }
 
