@@ -158,7 +158,7 @@ RAIO_FLATTEN RAIO_FN constexpr mask_t<T> any_hit(const Shape& shape, const Ray& 
 /// `hit` of every shape that has also `surface(at)`: the same crossing, and what to record of it.
 /// \tparam Asked  `only_where` if there is one beyond doubt
 template <detail::question Asked = detail::question::where, real T, class Shape, class Ray, record Record>
-RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
+RAIO_FLATTEN RAIO_FN constexpr mask_t<T> first_hit(const Shape& shape, const Ray& ray, T t_min, T t_max, Record& rec) {
     const auto record = [&](const auto& same_ray, const auto& crossing) {
         if (crossing.exists) detail::record_crossing(shape, same_ray, crossing, rec);
         return crossing.exists;
