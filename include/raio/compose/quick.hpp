@@ -102,7 +102,7 @@ struct quick : P {
 
 private:
     template <class Ray, class Record>
-    RAIO_FORMULA constexpr mask_t<T> hit_here(const Ray& ray, T t_min, T t_max, Record& rec) const {
+    RAIO_FLATTEN RAIO_FN constexpr mask_t<T> hit_here(const Ray& ray, T t_min, T t_max, Record& rec) const {
         auto first = detail::first_crossing<detail::question::where>(*this, ray, t_min, t_max);
         if constexpr (detail::has_lanes<T>) {
             if (none(first.exists)) return first.exists;
