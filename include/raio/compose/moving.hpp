@@ -46,7 +46,7 @@ public:
     }
 
     template <ray_of<T> Ray, record Record>
-    RAIO_NO_SLP RAIO_FLATTEN RAIO_FN constexpr bool hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
+    RAIO_FLATTEN RAIO_FN constexpr bool hit(const Ray& ray, T t_min, T t_max, Record& rec) const {
         const T time = time_of(ray);
         if (!is_there(time)) return false;
         const inverse_map<T> inverse = inverse_at(time);
