@@ -246,4 +246,21 @@ TEST_CASE("quick: under maps, in CSG, in groups and behind any_primitive") {
                              rays) <= few);
 }
 
+TEST_CASE("quick: what is recorded again is the crossing at t, whichever of them that is") {
+    const ray<double> ray{{0, 0, 5}, {0, 0, -1}};
+    const auto recorded_again = [&](const auto& shape) {
+        int count = 0;
+        hit_record<double> rec{}, again{};
+        for (double from = 0; shape.hit(ray, from, infinity<double>, rec); from = rec.t + 0.1, ++count) {
+            shape.record_at(ray, rec.t, again);
+            CHECK((again.t == rec.t && again.point == rec.point && again.normal == rec.normal));
+            CHECK(again.front_face == rec.front_face);
+        }
+        return count;
+    };
+    CHECK(recorded_again(quick<triangle<double>>{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}) == 1);
+    CHECK(recorded_again(quick<sphere<double>>{{{0, 0, 0}, 1}}) == 2);
+    CHECK(recorded_again(quick<torus<double>>{{{0, 0, 0}, {0, 1, 0}, 2, 0.5}}) == 4);
+}
+
 }  // namespace raio::test

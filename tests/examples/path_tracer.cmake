@@ -36,7 +36,8 @@ if(NOT (sky GREATER 215 AND ground LESS 200 AND ground GREATER 80))
 endif()
 
 foreach(arguments IN ITEMS "" "--help")  # of which neither is a picture's name
-    execute_process(COMMAND ${PATH_TRACER} ${arguments} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE status ERROR_VARIABLE error)
+    execute_process(COMMAND ${PATH_TRACER} ${arguments} WORKING_DIRECTORY ${FOLDER} TIMEOUT 60 RESULT_VARIABLE status
+        ERROR_VARIABLE error)
     if(NOT (status EQUAL 1 AND error MATCHES "^usage: "))
         message(SEND_ERROR "'${arguments}': ${status}, ${error}")
     endif()
